@@ -25,7 +25,7 @@ import sys
 # layers: a folder includes itself and the levels before its own; folders on one level never include each other.
 PUBLIC = ("core", "math", "surface", "profile topography", "halfspace", "synthetic", "asperity", "peaks", "contact",
           "tabulated", "wave", "measure", "identify", "answer", "double", "io")
-PRIVATE = ("io", "document", "request", "instances", "surface", "scene", "sweep c web", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
+PRIVATE = ("io", "document", "request", "instances", "surface", "scene", "actions", "sweep c web", "cli/document", "cli/input", "cli/picture", "cli/commands", "cli")
 OPT_IN = re.compile("answer/(?!causes|checks|joint)")  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)

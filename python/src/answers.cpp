@@ -54,7 +54,7 @@ domain_error with_own_name(const domain_error& error) {
 struct FaceInput {
     std::map<std::string, In> numbers;
     std::string process;
-    std::vector<std::shared_ptr<const scene::MeasuredSurface>> measured;
+    std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured;
 
     [[nodiscard]] JointFace at(std::size_t i) const {
         JointFace face;
@@ -83,7 +83,7 @@ Solid solid_of(const std::string& name, const Numbers& numbers, const char* whic
             std::vector<std::string_view> names;
             for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
             throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": must be one of " +
-                               scene::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
+                               document::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
         }
         const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
         solid = {.body = body_of(*found),
@@ -150,7 +150,7 @@ const Derived& derived_called(const std::string& name) {
         if (one.name == name) return one;
         names.push_back(one.name);
     }
-    throw domain_error("quantities = \"" + name.substr(0, 40) + "\": must be among " + scene::list_of(names));
+    throw domain_error("quantities = \"" + name.substr(0, 40) + "\": must be among " + document::list_of(names));
 }
 
 /// Columns of count x pressures numbers, by their keys.
@@ -250,7 +250,7 @@ void add_answers(nb::module_& m) {
         .def(
             "__init__",
             [](FaceInput* self, std::map<std::string, In> numbers, std::string process,
-               std::vector<std::shared_ptr<const scene::MeasuredSurface>> measured) {
+               std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured) {
                 new (self) FaceInput{std::move(numbers), std::move(process), std::move(measured)};
             },
             nb::arg("numbers"), nb::arg("process"), nb::arg("measured"));

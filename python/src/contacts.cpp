@@ -2,7 +2,7 @@
 // Contacts and tabulated laws, evaluated on whole arrays without the GIL.
 #include "module.hpp"
 
-#include "scene/one_contact.hpp"
+#include "actions/one_contact.hpp"
 
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
@@ -38,7 +38,7 @@ inline constexpr auto names<OutsideRange> = detail::name_list<OutsideRange>({{Ou
 namespace fstiff::python {
 namespace {
 
-using scene::OneContact;
+using actions::OneContact;
 using TabulatedLaw = ContactLaw<double>;
 using ArrayIn = Eigen::Map<const Eigen::ArrayXd>;
 using ArrayOut = Eigen::Map<Eigen::ArrayXd>;
@@ -80,7 +80,7 @@ std::vector<const Output*> chosen(const OneContact& contact, const std::optional
             if (std::find(all.begin(), all.end(), name) == all.end()) {
                 std::vector<std::string_view> allowed(all.begin(), all.end());
                 throw domain_error("quantities = \"" + name + "\": of law " + std::string(contact.law->name) +
-                                   " must be among " + scene::list_of(allowed));
+                                   " must be among " + document::list_of(allowed));
             }
     const std::vector<std::string>& wanted = names ? *names : all;
     std::vector<const Output*> found;
@@ -132,7 +132,7 @@ Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<s
 
 /// The joint of numbers by their names; its face is \p measured where that is given.
 Joint joint_of(const std::map<std::string, double>& numbers, const std::string& interaction,
-               const scene::MeasuredSurface* measured = nullptr) {
+               const surface::MeasuredSurface* measured = nullptr) {
     const auto number = [&](const char* name) {
         const auto found = numbers.find(name);
         return found == numbers.end() ? std::optional<double>() : found->second;
@@ -158,9 +158,9 @@ Joint joint_of(const std::map<std::string, double>& numbers, const std::string& 
 }
 
 OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
-                      const std::string& interaction, const scene::MeasuredSurface* measured) {
+                      const std::string& interaction, const surface::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
-    return scene::contact_of(law, joint_of(numbers, interaction, measured), until_interrupted());
+    return actions::make_contact(law, joint_of(numbers, interaction, measured), until_interrupted());
 }
 
 /// Arrays of the caller that are filled; none: new ones.
@@ -339,7 +339,7 @@ void add_contacts(nb::module_& m) {
         [](const std::string& law, const std::map<std::string, double>& numbers, const std::string& interaction,
            double pressure) {
             const nb::gil_scoped_release free;
-            return scene::sensitivity_of(law, joint_of(numbers, interaction), pressure);
+            return actions::sensitivity_of(law, joint_of(numbers, interaction), pressure);
         },
         nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"), nb::arg("pressure"));
     m.def(
@@ -359,7 +359,7 @@ void add_contacts(nb::module_& m) {
         nb::arg("stiffness"), nb::arg("conductivity"), nb::arg("effective_modulus"));
     m.def("law_names", [] {
         std::vector<std::string> names;
-        for (const std::string_view name : scene::law_names()) names.emplace_back(name);
+        for (const std::string_view name : detail::law_names()) names.emplace_back(name);
         return names;
     });
 }

@@ -35,10 +35,10 @@ Request request_of(const nb::dict& options) {
 struct Found {
     std::string json;
     bool doubtful = false;
-    std::shared_ptr<const scene::MeasuredSurface> measured{};
+    std::shared_ptr<const surface::MeasuredSurface> measured{};
 };
 
-inline Found found(const scene::Document& document, std::shared_ptr<const scene::MeasuredSurface> measured = {}) {
+inline Found found(const document::Document& document, std::shared_ptr<const surface::MeasuredSurface> measured = {}) {
     return {document.values().str(), document.doubtful, std::move(measured)};
 }
 

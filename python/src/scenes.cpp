@@ -2,12 +2,12 @@
 // Scenes: their curves as columns, their contacts, their laws for other programs, and parameters of measured curves.
 #include "given.hpp"
 
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/one_contact.hpp"
-#include "scene/reflections.hpp"
-#include "scene/result_rows.hpp"
-#include "surface/documents.hpp"
+#include "actions/export.hpp"
+#include "actions/identify.hpp"
+#include "actions/measure.hpp"
+#include "actions/one_contact.hpp"
+#include "actions/run.hpp"
+#include "actions/ultrasound.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -18,44 +18,48 @@
 #include <stdexcept>
 
 namespace fstiff::python {
+
+using scene::Scene;
+
 namespace {
 
-using namespace scene;
-
 Scene scene_of_text(const std::string& text, const std::string& name, const std::string& surface,
-                    const MeasuredSurface* measured) {
+                    const surface::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
-    return read_scene(text, {.name = name, .surface = surface, .progress = until_interrupted(), .measured = measured});
+    return scene::read_scene(text,
+                             {.name = name, .surface = surface, .progress = until_interrupted(), .measured = measured});
 }
 
-Scene scene_of_file(const std::string& file, const std::string& surface, const MeasuredSurface* measured) {
+Scene scene_of_file(const std::string& file, const std::string& surface, const surface::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
-    return read_scene(
-        read_all(file, longest_scene),
-        {.name = display_name(file), .surface = surface, .progress = until_interrupted(), .measured = measured});
+    return scene::read_scene(document::read_all(file, document::longest_scene), {.name = document::display_name(file),
+                                                                                 .surface = surface,
+                                                                                 .progress = until_interrupted(),
+                                                                                 .measured = measured});
 }
 
 /// The columns of the CSV, of all curves one below the other: numbers as an array, texts as a list.
-nb::list columns_of(const Results& results) {
+nb::list columns_of(const actions::Results& results) {
     struct Column {
         std::string key;
         std::vector<std::string> words;
         std::vector<double> numbers;
     };
     std::vector<Column> all;
-    for (const Curve& curve : results.curves) {
-        const Rows rows = rows_of(results, curve);
+    for (const actions::Curve& curve : results.curves) {
+        const document::Rows rows = point_rows(results, curve);
         std::size_t place = 0;
-        for (const Rows::Column& column : rows.columns()) {
+        for (const document::Rows::Column& column : rows.columns()) {
             if (!column.heading.csv || column.heading.key.empty()) continue;
             if (place == all.size()) all.push_back({column.heading.key, {}, {}});
             Column& to = all[place++];
             if (to.key != column.heading.key) throw std::logic_error("curves of unlike columns");
-            for (const Cell& cell : column.cells) {
-                if (cell.kind == Cell::Kind::text) to.words.push_back(cell.words);
-                to.numbers.push_back(cell.kind == Cell::Kind::real    ? cell.number
-                                     : cell.kind == Cell::Kind::count ? static_cast<double>(cell.whole)
-                                                                      : std::numeric_limits<double>::quiet_NaN());
+            for (const document::Cell& cell : column.cells) {
+                if (cell.kind == document::Cell::Kind::text) to.words.push_back(cell.words);
+                to.numbers.push_back(cell.kind == document::Cell::Kind::real ? cell.number
+                                     : cell.kind == document::Cell::Kind::count
+                                         ? static_cast<double>(cell.whole)
+                                         : std::numeric_limits<double>::quiet_NaN());
             }
         }
     }
@@ -69,25 +73,26 @@ nb::list columns_of(const Results& results) {
 }
 
 nb::dict run(const Scene& scene) {
-    const Results results = [&] {
+    const actions::Results results = [&] {
         const nb::gil_scoped_release free;
-        return compute(scene, until_interrupted());
+        return actions::compute(scene, until_interrupted());
     }();
     nb::list curves;
-    for (const Curve& curve : results.curves)
+    for (const actions::Curve& curve : results.curves)
         curves.append(nb::make_tuple(laws_of(curve), curve.theta, curve.r, curve.states.size()));
     nb::dict bands;  // of a column: those of the ends of its band
-    for (const Column& column : results.curves.front().columns)
-        if (column.statistic == Statistic::p05)
-            bands[Column{column.quantity}.key().c_str()] =
-                nb::make_tuple(column.key(), Column{column.quantity, Statistic::p95}.key());
+    for (const scene::Column& column : results.curves.front().columns)
+        if (column.statistic == scene::Statistic::p05)
+            bands[scene::Column{column.quantity}.key().c_str()] =
+                nb::make_tuple(column.key(), scene::Column{column.quantity, scene::Statistic::p95}.key());
     nb::dict all;
     all["columns"] = columns_of(results);
     all["bands"] = bands;
     all["curves"] = curves;
     all["warnings"] = results.warnings;
     nb::list lines;
-    for (const InputLine& line : input_lines(scene, results)) lines.append(nb::make_tuple(line.label, line.parts));
+    for (const actions::InputLine& line : input_lines(scene, results))
+        lines.append(nb::make_tuple(line.label, line.parts));
     all["input_lines"] = lines;
     nb::list checks;
     const auto add_checks = [&](const std::string& of, const std::vector<Check<double>>& made) {
@@ -96,9 +101,9 @@ nb::dict run(const Scene& scene) {
                                          check.limit, check.holds()));
     };
     add_checks("surface", results.surface_checks);
-    for (const Curve& curve : results.curves) add_checks(title(curve), curve.checks);
+    for (const actions::Curve& curve : results.curves) add_checks(title(curve), curve.checks);
     all["checks"] = checks;
-    all["answer_table"] = results.answer ? answer_table(scene, results) : TextRows();
+    all["answer_table"] = results.answer ? answer_table(scene, results) : document::TextRows();
     all["document"] = run_document(scene, results).str();
     all["best"] = scene.best;
     all["effective_modulus"] = results.modulus;
@@ -112,66 +117,68 @@ nb::list measured_of(const Scene& scene) {
     for (const auto& [name, face, file] : measured_files(scene))
         for (const auto& surface : scene.measured)
             if (surface.get() == file)
-                faces.append(
-                    nb::make_tuple(std::string(name), found(document_of(scene::MeasureOptions(), surface), surface)));
+                faces.append(nb::make_tuple(std::string(name),
+                                            found(actions::document_of(surface::MeasureOptions(), surface), surface)));
     return faces;
 }
 
-OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks) {
+actions::OneContact contact(const Scene& scene, const std::string& law, std::size_t peaks) {
     const nb::gil_scoped_release free;
     std::size_t place = 0;
     Scene of = scene;
     if (!law.empty()) {
         of.laws = offered_laws(scene);
         std::vector<std::string_view> names;
-        for (const Law* law : of.laws) names.push_back(law->name);
+        for (const detail::Law* law : of.laws) names.push_back(law->name);
         while (place < names.size() && names[place] != law) ++place;
         if (place == names.size())
-            throw domain_error("law = \"" + law + "\": must be one of the scene's: " + list_of(names));
+            throw domain_error("law = \"" + law + "\": must be one of the scene's: " + document::list_of(names));
     }
-    return contact_of(std::move(of), place, peaks, until_interrupted());
+    return actions::make_contact(std::move(of), place, peaks, until_interrupted());
 }
 
-MeasuredCurve curve(const In& pressures, const In& values, const std::optional<In>& errors, bool is_reflection) {
-    return curve_of_numbers(numbers_of(pressures), numbers_of(values),
-                            errors ? numbers_of(*errors) : std::span<const double>(), is_reflection, "measured");
+actions::MeasuredCurve curve(const In& pressures, const In& values, const std::optional<In>& errors,
+                             bool is_reflection) {
+    return actions::curve_of_numbers(numbers_of(pressures), numbers_of(values),
+                                     errors ? numbers_of(*errors) : std::span<const double>(), is_reflection,
+                                     "measured");
 }
 
-Found identified(const Scene& scene, const nb::dict& options, const std::optional<MeasuredCurve>& curve) {
-    const auto how = request_of<IdentifyRequest>(options);
+Found identified(const Scene& scene, const nb::dict& options, const std::optional<actions::MeasuredCurve>& curve) {
+    const auto how = request_of<actions::IdentifyRequest>(options);
     const nb::gil_scoped_release free;
     return found(document_of(scene, identify_scene(scene, how, curve)));
 }
 
-Found ultrasound(const nb::dict& options, const std::optional<MeasuredCurve>& curve) {
-    const auto how = request_of<ReflectionRequest>(options);
+Found ultrasound(const nb::dict& options, const std::optional<actions::MeasuredCurve>& curve) {
+    const auto how = request_of<actions::ReflectionRequest>(options);
     const nb::gil_scoped_release free;
     return found(document_of(how, curve));
 }
 
 /// The text of the file, warnings, and whether they are ones to doubt the law.
 nb::tuple exported(const Scene& scene, const nb::dict& options) {
-    auto how = request_of<ExportRequest>(options);
+    auto how = request_of<actions::ExportRequest>(options);
     how.progress = until_interrupted();
-    const Document document = [&] {
+    const document::Document document = [&] {
         const nb::gil_scoped_release free;
         return document_of(scene, how);
     }();
     return nb::make_tuple(document.file(), document.warnings, document.doubtful);
 }
 
-ShownUnit unit_of(const In& values, std::string_view si) {
+document::ShownUnit unit_of(const In& values, std::string_view si) {
     std::vector<double> sizes;
     for (const double value : numbers_of(values))
         if (std::isfinite(value)) sizes.push_back(std::abs(value));
-    return sizes.empty() ? shown_unit(0.0, si) : shown_unit(sizes, si);
+    return sizes.empty() ? document::shown_unit(0.0, si) : document::shown_unit(sizes, si);
 }
 
 /// How the tables of the command call a column of \p values, with its unit, and the factor from SI.
 nb::tuple heading(const std::string& key, const In& values) {
-    for (const CurveQuantityRow& row : curve_quantities())
-        if (const Column column{row.quantity}; column.key() == key) {
-            const ShownUnit unit = unit_of(values, row.unit);
+    for (const scene::CurveQuantityRow& row : scene::curve_quantities())
+        if (const scene::Column column{row.quantity}; column.key() == key) {
+            const document::ShownUnit unit = unit_of(values, row.unit);
             return nb::make_tuple(unit.heading(row.symbol), unit.factor);
         }
     return nb::make_tuple(key, 1.);
@@ -185,20 +192,20 @@ void add_scenes(nb::module_& m) {
                     nb::arg("measured").none())
         .def_static("of_file", &scene_of_file, nb::arg("file"), nb::arg("surface"), nb::arg("measured").none())
         .def("run", &run)
-        .def("finer", [](const Scene& scene) { return with_finer_points(scene); })
+        .def("finer", [](const Scene& scene) { return actions::with_finer_points(scene); })
         .def("measured", &measured_of)
         .def("contact", &contact, nb::arg("law"), nb::arg("peaks"))
         .def_prop_ro("name", [](const Scene& scene) { return scene.name; })
         .def_prop_ro("laws",
                      [](const Scene& scene) {
                          std::vector<std::string> names;
-                         for (const Law* law : scene.laws) names.emplace_back(law->name);
+                         for (const detail::Law* law : scene.laws) names.emplace_back(law->name);
                          return names;
                      })
         .def_prop_ro("at_separations", [](const Scene& scene) { return scene.at_separations; })
         .def_prop_ro(
             "points", [](const Scene& scene) { return NewArray(scene.points).take(); }, nb::rv_policy::automatic);
-    nb::class_<MeasuredCurve>(m, "Curve", "A measured curve of stiffnesses or reflections.");
+    nb::class_<actions::MeasuredCurve>(m, "Curve", "A measured curve of stiffnesses or reflections.");
     m.def("curve", &curve, nb::arg("pressures"), nb::arg("values"), nb::arg("errors").none(), nb::arg("is_reflection"));
     m.def("identify", &identified, nb::arg("scene"), nb::arg("options"), nb::arg("curve").none());
     m.def("ultrasound", &ultrasound, nb::arg("options"), nb::arg("curve").none());
@@ -207,17 +214,17 @@ void add_scenes(nb::module_& m) {
     m.def(
         "shown_unit",
         [](const In& values, const std::string& si) {
-            const ShownUnit unit = unit_of(values, si);
+            const document::ShownUnit unit = unit_of(values, si);
             return nb::make_tuple(std::string(unit.name), unit.factor);
         },
         nb::arg("values"), nb::arg("si"));
     m.def(
         "with_unit",
         [](double value, const std::string& si, int digits, double error) {
-            return with_unit(value, si, digits, error);
+            return document::with_unit(value, si, digits, error);
         },
         nb::arg("value"), nb::arg("si"), nb::arg("digits"), nb::arg("error"));
-    m.attr("builtin_scene") = std::string(builtin_scene);
+    m.attr("builtin_scene") = std::string(scene::builtin_scene);
 }
 
 }  // namespace fstiff::python

@@ -2,14 +2,14 @@
 // Measured surfaces, from files and from arrays, and what is found of them: the JSON documents of the command.
 #include "given.hpp"
 
-#include "scene/scales.hpp"
-#include "surface/documents.hpp"
-#include "surface/fractal.hpp"
-#include "surface/generated.hpp"
-#include "surface/islands_of_map.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
-#include "surface/truth_of_map.hpp"
+#include "actions/fractal.hpp"
+#include "actions/generate.hpp"
+#include "actions/islands.hpp"
+#include "actions/measure.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/scales.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/truth.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -19,7 +19,7 @@
 
 namespace fstiff::python {
 
-using namespace scene;
+using surface::MeasuredSurface;
 
 request::Value value_of(const nb::handle& value) {
     using Kind = request::Value::Kind;
@@ -32,7 +32,7 @@ request::Value value_of(const nb::handle& value) {
     } else if (nb::try_cast(value, text)) {
         given.kind = Kind::text, given.written = text;
     } else if (nb::try_cast(value, whole)) {
-        given.kind = Kind::whole, given.number = static_cast<double>(whole);
+        given.kind = Kind::integer, given.number = static_cast<double>(whole);
     } else if (nb::try_cast(value, given.number)) {
         given.kind = Kind::real;
     } else if (nb::isinstance<nb::sequence>(value)) {
@@ -60,7 +60,7 @@ struct Heights {
 };
 
 /// The heights, copied; none: those of the file of \p options. Without the GIL.
-std::optional<SurfaceInput> input_of(const SurfaceOptions& options, const Heights& heights) {
+std::optional<surface::SurfaceInput> input_of(const surface::SurfaceOptions& options, const Heights& heights) {
     if (!heights.array) return std::nullopt;
     const In& array = *heights.array;
     if (array.ndim() == 1) {
@@ -85,9 +85,9 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
               const std::vector<Heights>& arrays) {
     std::vector<std::string> bytes;
     for (const nb::bytes& one : contents) bytes.emplace_back(one.c_str(), one.size());
-    auto how = request_of<scene::MeasureOptions>(options);
+    auto how = request_of<surface::MeasureOptions>(options);
     const nb::gil_scoped_release free;
-    const auto measure = [&](scene::MeasureOptions of, std::size_t i) {
+    const auto measure = [&](surface::MeasureOptions of, std::size_t i) {
         of.input.file = arrays.empty() ? files[i] : arrays[i].name;
         return arrays.empty() ? measure_surface(of, bytes[i], until_interrupted())
                               : measure_surface(of, *input_of(of.input, arrays[i]), until_interrupted());
@@ -96,7 +96,7 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
         std::make_shared<const MeasuredSurface>(!arrays.empty()  ? measure_parts(how, arrays.size(), measure, "array")
                                                 : !bytes.empty() ? measure_parts(how, bytes.size(), measure)
                                                                  : measure_files(how, files, until_interrupted()));
-    return found(document_of(how, surface), surface);
+    return found(actions::document_of(how, surface), surface);
 }
 
 /// Heights, dx and dy (0 of a profile).
@@ -152,7 +152,7 @@ Found scales(const std::shared_ptr<const MeasuredSurface>& surface, const Height
     detail::require_positive("pressure", pressure);
     detail::require_positive("effective_modulus", modulus);
     const nb::gil_scoped_release free;
-    const ScalesOptions how{pressure, modulus, until_interrupted()};
+    const actions::ScalesOptions how{pressure, modulus, until_interrupted()};
     const auto input = input_of(surface->how->input, heights);
     return found(document_of(*surface->how, surface,
                              scales_of(*surface, input ? *input : read_surface_input(surface->how->input), how), how));
@@ -168,7 +168,7 @@ Found answered(const nb::dict& options, const std::optional<Heights>& heights) {
 }
 
 Found truth(const nb::dict& options, const Heights& heights, const In& pressures, double modulus) {
-    auto request = request_of<TruthRequest>(options);
+    auto request = request_of<actions::TruthRequest>(options);
     request.progress = until_interrupted();
     request.modulus = modulus;
     request.pressures.assign(numbers_of(pressures).begin(), numbers_of(pressures).end());
@@ -179,8 +179,8 @@ Found truth(const nb::dict& options, const Heights& heights, const In& pressures
 
 /// Heights, dx and dy, and how they were made.
 nb::tuple generated(const nb::dict& options) {
-    const auto how = request_of<GenerateRequest>(options);
-    const Generated made = [&] {
+    const auto how = request_of<actions::GenerateRequest>(options);
+    const actions::Generated made = [&] {
         const nb::gil_scoped_release free;
         return generate(how);
     }();
@@ -189,9 +189,9 @@ nb::tuple generated(const nb::dict& options) {
 
 /// Heights, dx and dy, what was decided, and warnings.
 nb::tuple read(const nb::dict& options) {
-    SurfaceOptions how;
+    surface::SurfaceOptions how;
     values_of(options).fill(how);
-    const SurfaceInput input = [&] {
+    const surface::SurfaceInput input = [&] {
         const nb::gil_scoped_release free;
         return read_surface_input(how);
     }();
@@ -222,11 +222,11 @@ void add_surfaces(nb::module_& m) {
         .def_ro("measured", &Found::measured);
     m.def("scales", &scales, nb::arg("measured"), nb::arg("heights"), nb::arg("pressure"), nb::arg("modulus"));
     m.def("measure", &measure, nb::arg("options"), nb::arg("files"), nb::arg("contents"), nb::arg("arrays"));
-    m.def("without_folders", &without_folders, nb::arg("names"));
-    m.def("fit", &answered<FractalOptions>, nb::arg("options"), nb::arg("heights"));
-    m.def("islands", &answered<IslandsRequest>, nb::arg("options"), nb::arg("heights"));
-    m.def("spectrum", &answered<SpectrumRequest>, nb::arg("options"), nb::arg("heights"));
-    m.def("peaks", &answered<PeakDensityRequest>, nb::arg("options"), nb::arg("heights").none());
+    m.def("without_folders", &surface::without_folders, nb::arg("names"));
+    m.def("fit", &answered<actions::FractalOptions>, nb::arg("options"), nb::arg("heights"));
+    m.def("islands", &answered<actions::IslandsRequest>, nb::arg("options"), nb::arg("heights"));
+    m.def("spectrum", &answered<actions::SpectrumRequest>, nb::arg("options"), nb::arg("heights"));
+    m.def("peaks", &answered<actions::PeakDensityRequest>, nb::arg("options"), nb::arg("heights").none());
     m.def("generate", &generated, nb::arg("options"));
     m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
     m.def(
@@ -234,12 +234,13 @@ void add_surfaces(nb::module_& m) {
         [](const nb::handle& value, const std::string& name) {
             request::Amount length;
             request::put(value_of(value), length, name, {});
-            return parse_length(length, name);
+            return surface::parse_length(length, name);
         },
         nb::arg("value"), nb::arg("name"));
     m.def("surface_options", [] {  // the keys of the table, and whether they are of files alone
         nb::dict keys;
-        for (const SurfaceOptionRow& row : surface_option_table()) keys[row.key.data()] = row.is_of_file();
+        for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
+            keys[row.key.data()] = row.is_of_file();
         return keys;
     });
     m.def("read", &read, nb::arg("options"));

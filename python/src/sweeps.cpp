@@ -89,14 +89,14 @@ private:
 
 nb::dict swept(const std::string& text, const std::string& file, const std::string& axes,
                const std::map<std::string, In>& numbers, const std::string& surface,
-               const scene::MeasuredSurface* measured, unsigned threads) {
+               const surface::MeasuredSurface* measured, unsigned threads) {
     Given given{.text = axes};
     for (const auto& [key, array] : numbers)
         given.numbers[key].assign(numbers_of(array).begin(), numbers_of(array).end());
     nb::gil_scoped_release free;
-    const Grid grid = file.empty()
-                          ? read_grid(text, "scene", given)
-                          : read_grid(scene::read_all(file, scene::longest_scene), scene::display_name(file), given);
+    const Grid grid = file.empty() ? read_grid(text, "scene", given)
+                                   : read_grid(document::read_all(file, document::longest_scene),
+                                               document::display_name(file), given);
     SceneMaker maker(grid, {.name = "", .surface = surface, .measured = measured});
     SweptColumns columns(grid);
     run(grid, maker, 0, grid.size,

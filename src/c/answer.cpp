@@ -33,10 +33,10 @@ JointFace face_of(const fstiff_face* given, const char* name) {
                    .process = static_cast<Process>(from.process)};
     take_shape(from.skewness, from.kurtosis, face);
     if (!from.heights) return face;
-    scene::MeasureOptions how = options_of(from.options);
-    how.neighbours = true;
-    const auto input = input_of(how.input, taken(from.heights, "heights"));
-    face.measured = std::make_shared<const Surface<double>>(measure_surface(how, input).found);
+    surface::MeasureOptions options = options_of(from.options);
+    options.neighbours = true;
+    const auto input = input_of(options.input, taken(from.heights, "heights"));
+    face.measured = std::make_shared<const Surface<double>>(measure_surface(options, input).found);
     return face;
 }
 
@@ -55,15 +55,17 @@ struct Output {
 std::array<Output, 8> outputs_of(const fstiff_answer_points& to) {
     using Point = const AnswerPoint&;
     using Number = std::optional<double>;
-    return {{{to.stiffness, [](Point at) -> Number { return at.stiffness.value; }},
-             {to.stiffness_p05, [](Point at) -> Number { return at.stiffness.low; }},
-             {to.stiffness_p95, [](Point at) -> Number { return at.stiffness.high; }},
-             {to.loading_stiffness, [](Point at) -> Number { return at.loading_stiffness; }},
+    return {{{to.stiffness, [](Point point) -> Number { return point.stiffness.value; }},
+             {to.stiffness_p05, [](Point point) -> Number { return point.stiffness.low; }},
+             {to.stiffness_p95, [](Point point) -> Number { return point.stiffness.high; }},
+             {to.loading_stiffness, [](Point point) -> Number { return point.loading_stiffness; }},
              {to.tangential_stiffness,
-              [](Point at) { return at.tangential_stiffness ? Number(at.tangential_stiffness->value) : Number(); }},
-             {to.approach, [](Point at) -> Number { return at.approach; }},
-             {to.contacts, [](Point at) -> Number { return at.contacts; }},
-             {to.p_star, [](Point at) -> Number { return at.p_star; }}}};
+              [](Point point) {
+                  return point.tangential_stiffness ? Number(point.tangential_stiffness->value) : Number();
+              }},
+             {to.approach, [](Point point) -> Number { return point.approach; }},
+             {to.contacts, [](Point point) -> Number { return point.contacts; }},
+             {to.p_star, [](Point point) -> Number { return point.p_star; }}}};
 }
 
 /// Gives \p points to the arrays of \p to. \return the status of the first without a K, whose reason is the message.
@@ -97,18 +99,18 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
         const fstiff_answer_points to = taken(points, "points");
         require_array(pressures, count, "pressures");
         if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
-        fstiff::Joint of{.face = face_of(from.face, "face"),
-                         .upper = body_of(from.upper),
-                         .lower = body_of(from.lower),
-                         .nominal_area = known(from.nominal_area)};
-        if (from.other) of.other = face_of(from.other, "other");
-        fstiff::AnswerOptions how;
-        if (from.samples != 0) how.samples = from.samples < 0 ? 0 : from.samples;
-        if (from.seed != 0) how.seed = from.seed;
-        if (from.seating != 0) how.seating = from.seating;
-        const fstiff::Answer found = fstiff::answer(of, std::span(pressures, count), how);
-        if (doubtful) *doubtful = found.doubtful ? 1 : 0;
-        return give_points(found.points, to);
+        fstiff::Joint assembly{.face = face_of(from.face, "face"),
+                               .upper = body_of(from.upper),
+                               .lower = body_of(from.lower),
+                               .nominal_area = known(from.nominal_area)};
+        if (from.other) assembly.other = face_of(from.other, "other");
+        fstiff::AnswerOptions options;
+        if (from.samples != 0) options.samples = from.samples < 0 ? 0 : from.samples;
+        if (from.seed != 0) options.seed = from.seed;
+        if (from.seating != 0) options.seating = from.seating;
+        const fstiff::Answer answer = fstiff::answer(assembly, std::span(pressures, count), options);
+        if (doubtful) *doubtful = answer.doubtful ? 1 : 0;
+        return give_points(answer.points, to);
     });
 }
 

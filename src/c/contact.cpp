@@ -122,7 +122,7 @@ int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const 
     return made_by(made, [&] {
         not_null(law, "law");
         const fstiff_roughness roughness = taken(surface, "surface");
-        return new fstiff_contact{fstiff::scene::contact_of(law, joint_of(roughness, taken(body, "body")))};
+        return new fstiff_contact{fstiff::actions::make_contact(law, joint_of(roughness, taken(body, "body")))};
     });
 }
 
@@ -133,7 +133,7 @@ int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const f
         const fstiff_roughness roughness = taken(surface, "surface");
         if (by_surface) sized(by_surface, "by_surface");
         if (by_body) sized(by_body, "by_body");
-        auto by = fstiff::scene::sensitivity_of(law, joint_of(roughness, taken(body, "body")), pressure);
+        auto by = fstiff::actions::sensitivity_of(law, joint_of(roughness, taken(body, "body")), pressure);
         bool finite = true;
         for (const auto& [name, slope] : by) finite = finite && std::isfinite(slope);
         if (const int status = handed_on(finite)) return status;
@@ -168,7 +168,7 @@ int fstiff_contact_of_scene(const char* text, size_t length, const char* name, s
                             fstiff_contact** made) {
     return made_by(made, [&] {
         not_null(text, "text");
-        return new fstiff_contact{fstiff::scene::contact_of(
+        return new fstiff_contact{fstiff::actions::make_contact(
             fstiff::scene::read_scene(std::string(text, length), {.name = name ? name : "scene"}), law, peaks)};
     });
 }

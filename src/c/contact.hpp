@@ -2,7 +2,7 @@
 #pragma once
 // Content of the handle of a contact.
 
+#include "actions/one_contact.hpp"
 #include "c/guard.hpp"
-#include "scene/one_contact.hpp"
 
-struct fstiff_contact : fstiff::scene::OneContact {};
+struct fstiff_contact : fstiff::actions::OneContact {};

@@ -2,15 +2,15 @@
 // Answers of commands to requests, as documents.
 #include "c/measure.hpp"
 
+#include "actions/export.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/run.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/ultrasound.hpp"
 #include "io/number.hpp"
 #include "request/values.hpp"
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "scene/result_rows.hpp"
-#include "surface/generated.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <algorithm>
@@ -21,14 +21,12 @@
 
 struct fstiff_document {
     std::string text;
-    fstiff::scene::Json numbers{};
+    fstiff::document::Json numbers{};
     bool doubtful = false;
 };
 
 namespace fstiff::c {
 namespace {
-
-using namespace scene;
 
 /// The options of a request, lines "key = value".
 request::Values values_of(const char* text) {
@@ -58,14 +56,14 @@ Request request_of(const char* options) {
 }
 
 /// The heights, or the file that \p options name.
-std::optional<SurfaceInput> surface_of(SurfaceOptions& options, const fstiff_heights* heights) {
+std::optional<surface::SurfaceInput> surface_of(surface::SurfaceOptions& options, const fstiff_heights* heights) {
     if (!heights) return options.file.empty() ? std::nullopt : std::optional(read_surface_input(options));
     if (!options.file.empty()) throw domain_error("file: must not be given with heights");
     options.file = "heights";
     return input_of(options, taken(heights, "heights"));
 }
 
-std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
+std::optional<actions::MeasuredCurve> curve_of(const fstiff_curve* given) {
     if (!given) return std::nullopt;
     const fstiff_curve from = taken(given, "curve");
     require_array(from.pressures, from.count, "pressures");
@@ -73,24 +71,24 @@ std::optional<MeasuredCurve> curve_of(const fstiff_curve* given) {
     const auto list = [&](const double* array) {
         return array ? std::span(array, from.count) : std::span<const double>();
     };
-    return curve_of_numbers(list(from.pressures), list(from.values), list(from.errors), from.is_reflection != 0,
-                            "curve");
+    return actions::curve_of_numbers(list(from.pressures), list(from.values), list(from.errors),
+                                     from.is_reflection != 0, "curve");
 }
 
-Scene scene_of(const char* text, std::size_t length, const char* name, const std::string& surface = {}) {
+scene::Scene scene_of(const char* text, std::size_t length, const char* name, const std::string& surface = {}) {
     if (!text && length > 0) refuse_null("scene");
-    if (!text) return read_scene(builtin_scene, {.name = "built-in scene", .surface = surface});
-    return read_scene(std::string(text, length), {.name = name ? name : "scene", .surface = surface});
+    if (!text) return scene::read_scene(scene::builtin_scene, {.name = "built-in scene", .surface = surface});
+    return scene::read_scene(std::string(text, length), {.name = name ? name : "scene", .surface = surface});
 }
 
 /// The numbers at \p path of \p document; "*" in it is every place of an array, where what is not there is null.
 /// \throws argument_error where no place has the path.
-std::vector<double> numbers_at(const Json& document, const std::string& path) {
+std::vector<double> numbers_at(const document::Json& document, const std::string& path) {
     const std::size_t star = path.find('*');
     std::vector<double> numbers;
-    bool found = false;
-    const auto take = [&](const Json* json) {
-        found = found || json;
+    bool known = false;
+    const auto take = [&](const document::Json* json) {
+        known = known || json;
         const std::vector<double> more = json ? json->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
         numbers.insert(numbers.end(), more.begin(), more.end());
     };
@@ -100,15 +98,15 @@ std::vector<double> numbers_at(const Json& document, const std::string& path) {
         if (!document.at(place)) break;
         take(document.at(place + path.substr(star + 1)));
     }
-    if (!found) throw argument_error(path + ": is not a path of the document");
+    if (!known) throw argument_error(path + ": is not a path of the document");
     return numbers;
 }
 
 /// The text and the values of \p document; its warnings become the message.
-fstiff_document* handle_of(const Document& document) {
-    Json values = document.values();
+fstiff_document* handle_of(const document::Document& document) {
+    document::Json values = document.values();
     std::string text = document.file ? document.file() : values.str(), lines;
-    for (const std::string& one : document.warnings) lines += (lines.empty() ? "" : "\n") + one;
+    for (const std::string& warning : document.warnings) lines += (lines.empty() ? "" : "\n") + warning;
     set_message(lines);
     return new fstiff_document{std::move(text), std::move(values), document.doubtful};
 }
@@ -120,29 +118,29 @@ using namespace fstiff::c;
 
 int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = request_of<fstiff::scene::SpectrumRequest>(options);
-        auto input = surface_of(how.surface, heights);
+        auto request = request_of<fstiff::actions::SpectrumRequest>(options);
+        auto input = surface_of(request.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
-        return handle_of(document_of(how, std::move(input)));
+        return handle_of(document_of(request, std::move(input)));
     });
 }
 
 int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        auto how = request_of<fstiff::scene::PeakDensityRequest>(options);
-        auto input = surface_of(how.surface, profile);
-        return handle_of(document_of(how, std::move(input)));
+        auto request = request_of<fstiff::actions::PeakDensityRequest>(options);
+        auto input = surface_of(request.surface, profile);
+        return handle_of(document_of(request, std::move(input)));
     });
 }
 
 int fstiff_generate(const char* options, fstiff_document** made) {
-    return made_by(made, [&] { return handle_of(document_of(request_of<fstiff::scene::GenerateRequest>(options))); });
+    return made_by(made, [&] { return handle_of(document_of(request_of<fstiff::actions::GenerateRequest>(options))); });
 }
 
 int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::ReflectionRequest>(options);
-        return handle_of(document_of(how, curve_of(curve)));
+        const auto request = request_of<fstiff::actions::ReflectionRequest>(options);
+        return handle_of(document_of(request, curve_of(curve)));
     });
 }
 
@@ -153,23 +151,23 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
         given.read("surface", surface);
         given.require_known();
         const auto read = scene_of(scene, length, name, surface);
-        return handle_of(document_of(read, fstiff::scene::compute(read)));
+        return handle_of(document_of(read, fstiff::actions::compute(read)));
     });
 }
 
 int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
                     fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::IdentifyRequest>(options);
+        const auto request = request_of<fstiff::actions::IdentifyRequest>(options);
         const auto read = scene_of(scene, length, name);
-        return handle_of(document_of(read, identify_scene(read, how, curve_of(curve))));
+        return handle_of(document_of(read, identify_scene(read, request, curve_of(curve))));
     });
 }
 
 int fstiff_export(const char* scene, size_t length, const char* name, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
-        const auto how = request_of<fstiff::scene::ExportRequest>(options);
-        return handle_of(document_of(scene_of(scene, length, name), how));
+        const auto request = request_of<fstiff::actions::ExportRequest>(options);
+        return handle_of(document_of(scene_of(scene, length, name), request));
     });
 }
 
@@ -181,8 +179,8 @@ int fstiff_document_word(const fstiff_document* document, const char* path, char
                          size_t* length) {
     return guarded([&] {
         const std::string key = &not_null(path, "path");
-        const auto* found = not_null(document, "document").numbers.at(key);
-        const std::string* word = found ? found->word() : nullptr;
+        const auto* known = not_null(document, "document").numbers.at(key);
+        const std::string* word = known ? known->word() : nullptr;
         if (!word) throw argument_error(key + ": is not a path of a text in the document");
         return text_into(*word, buffer, capacity, length);
     });
@@ -200,7 +198,8 @@ int fstiff_document_numbers(const fstiff_document* document, const char* path, d
         if (capacity < numbers.size())
             throw argument_error("capacity = " + std::to_string(capacity) + ": must be at least " +
                                  std::to_string(numbers.size()) + " for " + key);
-        std::transform(numbers.begin(), numbers.end(), values, [](double one) { return std::isnan(one) ? 0 : one; });
+        std::transform(numbers.begin(), numbers.end(), values,
+                       [](double number) { return std::isnan(number) ? 0 : number; });
         return FSTIFF_OK;
     });
 }

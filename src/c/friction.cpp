@@ -78,9 +78,9 @@ void fstiff_friction_free(fstiff_friction* friction) { delete friction; }
 int fstiff_friction_first_slip(const fstiff_friction* friction, double separation, double slip, double* traction,
                                double* stiffness) {
     return guarded([&]() -> int {
-        const auto at = not_null(friction, "friction").law.first_slip(separation, slip);
-        if (const int status = all_finite(at.traction, at.stiffness)) return status;
-        put(traction, at.traction), put(stiffness, at.stiffness);
+        const auto point = not_null(friction, "friction").law.first_slip(separation, slip);
+        if (const int status = all_finite(point.traction, point.stiffness)) return status;
+        put(traction, point.traction), put(stiffness, point.stiffness);
         return FSTIFF_OK;
     });
 }
@@ -88,9 +88,9 @@ int fstiff_friction_first_slip(const fstiff_friction* friction, double separatio
 int fstiff_friction_cycle(const fstiff_friction* friction, double separation, double amplitude, double* lost,
                           double* loss_factor) {
     return guarded([&]() -> int {
-        const auto of = not_null(friction, "friction").law.cycle(separation, amplitude);
-        if (const int status = all_finite(of.lost, of.loss_factor)) return status;
-        put(lost, of.lost), put(loss_factor, of.loss_factor);
+        const auto cycle = not_null(friction, "friction").law.cycle(separation, amplitude);
+        if (const int status = all_finite(cycle.lost, cycle.loss_factor)) return status;
+        put(lost, cycle.lost), put(loss_factor, cycle.loss_factor);
         return FSTIFF_OK;
     });
 }
@@ -103,22 +103,22 @@ int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* bef
         State state = state_of(before, "before");
         if (after) sized(after, "after");
         not_null(slip, "slip");
-        const auto at = law.step(state, separation, {slip[0], slip[1]}, state);
-        const bool good = std::isfinite(at.pressure) && at.traction.allFinite() && at.tangent.allFinite();
+        const auto point = law.step(state, separation, {slip[0], slip[1]}, state);
+        const bool good = std::isfinite(point.pressure) && point.traction.allFinite() && point.tangent.allFinite();
         if (const int status = handed_on(good && is_finite(state))) return status;
         if (after) keep(state, *after);
-        put(pressure, at.pressure);
-        if (traction) std::copy_n(at.traction.data(), 2, traction);
-        for (int i = 0; tangent && i < 9; ++i) tangent[i] = at.tangent(i / 3, i % 3);
+        put(pressure, point.pressure);
+        if (traction) std::copy_n(point.traction.data(), 2, traction);
+        for (int i = 0; tangent && i < 9; ++i) tangent[i] = point.tangent(i / 3, i % 3);
         return FSTIFF_OK;
     });
 }
 
 int fstiff_friction_stored_energy(const fstiff_friction* friction, const fstiff_slip* slip, double* energy) {
     return guarded([&]() -> int {
-        const double found = not_null(friction, "friction").law.stored_energy(state_of(slip, "slip"));
-        if (const int status = all_finite(found)) return status;
-        not_null(energy, "energy") = found;
+        const double stored = not_null(friction, "friction").law.stored_energy(state_of(slip, "slip"));
+        if (const int status = all_finite(stored)) return status;
+        not_null(energy, "energy") = stored;
         return FSTIFF_OK;
     });
 }

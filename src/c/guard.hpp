@@ -37,7 +37,7 @@ int guarded(const Body& body) noexcept {
 }
 
 [[noreturn, gnu::cold]] void refuse_null(const char* name);
-[[noreturn, gnu::cold]] void refuse_size(const char* name, std::size_t found, std::size_t first, std::size_t now);
+[[noreturn, gnu::cold]] void refuse_size(const char* name, std::size_t size, std::size_t first, std::size_t now);
 [[noreturn, gnu::cold]] void refuse_argument(const char* name, long long value, const char* allowed);
 
 template <class T>

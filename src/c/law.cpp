@@ -23,11 +23,11 @@ int point_by_point(const double* x, std::size_t count, double* first, double* se
     std::string message;
     for (std::size_t i = 0; i < count; ++i) {
         double a = 0, b = 0;
-        const int found = one(x[i], &a, &b);
+        const int code = one(x[i], &a, &b);
         if (first) first[i] = a;
         if (second) second[i] = b;
-        if (status) status[i] = found;
-        if (found != FSTIFF_OK && worst == FSTIFF_OK) worst = found, message = fstiff_last_message();
+        if (status) status[i] = code;
+        if (code != FSTIFF_OK && worst == FSTIFF_OK) worst = code, message = fstiff_last_message();
     }
     if (worst != FSTIFF_OK) set_message(message);
     return worst;
@@ -104,13 +104,13 @@ void fstiff_law_free(fstiff_law* law) { delete law; }
 
 int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts) {
     return guarded([&] {
-        const Law& of = not_null(law, "law").law;
+        const Law& table = not_null(law, "law").law;
         fstiff_law_facts to{};
-        to.min_pressure = of.pressures()[0], to.max_pressure = of.pressures()[1];
-        to.min_separation = of.separations()[0], to.max_separation = of.separations()[1];
-        to.relative_error = of.relative_error();
-        to.stiffness_is_slope = of.stiffness_is_slope();
-        to.outside = static_cast<int>(of.outside());
+        to.min_pressure = table.pressures()[0], to.max_pressure = table.pressures()[1];
+        to.min_separation = table.separations()[0], to.max_separation = table.separations()[1];
+        to.relative_error = table.relative_error();
+        to.stiffness_is_slope = table.stiffness_is_slope();
+        to.outside = static_cast<int>(table.outside());
         give(to, sized(facts, "facts"));
         return FSTIFF_OK;
     });
@@ -119,10 +119,10 @@ int fstiff_law_facts_of(const fstiff_law* law, fstiff_law_facts* facts) {
 int fstiff_law_at_separation(const fstiff_law* law, double separation, double* pressure, double* stiffness,
                              double* slope) {
     return guarded([&]() -> int {
-        const auto at = not_null(law, "law").law.at_separation(separation);
+        const auto point = not_null(law, "law").law.at_separation(separation);
         const double minus_dp_dd = slope ? law->law.slope_at_separation(separation) : 0;
-        if (const int status = all_finite(at.pressure, at.stiffness, minus_dp_dd)) return status;
-        put(pressure, at.pressure), put(stiffness, at.stiffness), put(slope, minus_dp_dd);
+        if (const int status = all_finite(point.pressure, point.stiffness, minus_dp_dd)) return status;
+        put(pressure, point.pressure), put(stiffness, point.stiffness), put(slope, minus_dp_dd);
         return FSTIFF_OK;
     });
 }
@@ -130,10 +130,10 @@ int fstiff_law_at_separation(const fstiff_law* law, double separation, double* p
 int fstiff_law_at_pressure(const fstiff_law* law, double pressure, double* separation, double* stiffness,
                            double* stiffness_slope) {
     return guarded([&]() -> int {
-        const Law& of = not_null(law, "law").law;
-        const double d = separation ? of.separation(pressure) : 0;
-        const double k = stiffness || !(separation || stiffness_slope) ? of.stiffness(pressure) : 0;
-        const double slope = stiffness_slope ? of.stiffness_slope(pressure) : 0;
+        const Law& table = not_null(law, "law").law;
+        const double d = separation ? table.separation(pressure) : 0;
+        const double k = stiffness || !(separation || stiffness_slope) ? table.stiffness(pressure) : 0;
+        const double slope = stiffness_slope ? table.stiffness_slope(pressure) : 0;
         if (const int status = all_finite(d, k, slope)) return status;
         put(separation, d), put(stiffness, k), put(stiffness_slope, slope);
         return FSTIFF_OK;
@@ -161,11 +161,11 @@ int fstiff_law_touch(const fstiff_law* law, double* separation) {
 int fstiff_law_at_separations(const fstiff_law* law, const double* separations, size_t count, double* pressures,
                               double* stiffnesses, int* status) {
     return guarded([&] {
-        const Law& of = not_null(law, "law").law;
+        const Law& table = not_null(law, "law").law;
         require_array(separations, count, "separations");
         return in_parts(
             separations, count, pressures, stiffnesses, status,
-            [&](const In& d, Out& p, Out& k) { of.at_separation(d, p, k); },
+            [&](const In& d, Out& p, Out& k) { table.at_separation(d, p, k); },
             [&](double d, double* p, double* k) { return fstiff_law_at_separation(law, d, p, k, nullptr); });
     });
 }
@@ -173,11 +173,11 @@ int fstiff_law_at_separations(const fstiff_law* law, const double* separations, 
 int fstiff_law_tangents_at_separations(const fstiff_law* law, const double* separations, size_t count,
                                        double* pressures, double* slopes, int* status) {
     return guarded([&] {
-        const Law& of = not_null(law, "law").law;
+        const Law& table = not_null(law, "law").law;
         require_array(separations, count, "separations");
         return in_parts(
             separations, count, pressures, slopes, status,
-            [&](const In& d, Out& p, Out& k) { of.tangent_at_separation(d, p, k); },
+            [&](const In& d, Out& p, Out& k) { table.tangent_at_separation(d, p, k); },
             [&](double d, double* p, double* k) { return fstiff_law_at_separation(law, d, p, nullptr, k); });
     });
 }
@@ -185,13 +185,13 @@ int fstiff_law_tangents_at_separations(const fstiff_law* law, const double* sepa
 int fstiff_law_at_pressures(const fstiff_law* law, const double* pressures, size_t count, double* separations,
                             double* stiffnesses, int* status) {
     return guarded([&] {
-        const Law& of = not_null(law, "law").law;
+        const Law& table = not_null(law, "law").law;
         require_array(pressures, count, "pressures");
         return in_parts(
             pressures, count, separations, stiffnesses, status,
             [&](const In& p, Out& d, Out& k) {
-                of.stiffness(p, k);
-                for (Eigen::Index i = 0; i < p.size(); ++i) d[i] = separations ? of.separation(p[i]) : 0;
+                table.stiffness(p, k);
+                for (Eigen::Index i = 0; i < p.size(); ++i) d[i] = separations ? table.separation(p[i]) : 0;
             },
             [&](double p, double* d, double* k) {
                 return fstiff_law_at_pressure(law, p, separations ? d : nullptr, k, nullptr);

@@ -12,8 +12,8 @@ namespace fstiff::c {
 namespace {
 
 using request::Amount;
-using scene::MeasuredSurface;
-using scene::MeasureOptions;
+using surface::MeasuredSurface;
+using surface::MeasureOptions;
 
 Amount length(const char* name, double value) {
     if (value == 0) return {};
@@ -51,14 +51,14 @@ int write(const MeasuredSurface& surface, fstiff_surface& written) {
     }
     give(to, written);
     std::string warnings;
-    for (const std::string& one : surface.warnings) warnings += (warnings.empty() ? "" : "\n") + one;
+    for (const std::string& warning : surface.warnings) warnings += (warnings.empty() ? "" : "\n") + warning;
     set_message(warnings);
     return FSTIFF_OK;
 }
 
 template <class Heights>
 int measure(Heights heights, const fstiff_measure_options* given, fstiff_surface& to) {
-    scene::SurfaceInput input;
+    surface::SurfaceInput input;
     input.surface.data = std::move(heights);
     input.surface.record.name = "heights";
     return write(measure_surface(options_of(given), input), to);
@@ -96,7 +96,7 @@ MeasureOptions options_of(const fstiff_measure_options* given) {
     return options;
 }
 
-scene::SurfaceInput input_of(const scene::SurfaceOptions& options, const fstiff_heights& from) {
+surface::SurfaceInput input_of(const surface::SurfaceOptions& options, const fstiff_heights& from) {
     const std::size_t rows = std::max<std::size_t>(from.rows, 1);
     if (from.columns > static_cast<std::size_t>(-1) / rows)
         throw argument_error("rows times columns: must fit into memory");

@@ -21,8 +21,8 @@ inline void take_shape(double skewness, double kurtosis, JointFace& face) {
 }
 
 /// \p given, or the defaults where it is null; without neighbours, which the band of K needs.
-[[nodiscard]] scene::MeasureOptions options_of(const fstiff_measure_options* given);
+[[nodiscard]] surface::MeasureOptions options_of(const fstiff_measure_options* given);
 /// The heights \p from as a surface that \p options clean.
-[[nodiscard]] scene::SurfaceInput input_of(const scene::SurfaceOptions& options, const fstiff_heights& from);
+[[nodiscard]] surface::SurfaceInput input_of(const surface::SurfaceOptions& options, const fstiff_heights& from);
 
 }  // namespace fstiff::c

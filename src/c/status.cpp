@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Status, messages and the version.
+#include "actions/one_contact.hpp"
 #include "c/guard.hpp"
-#include "scene/one_contact.hpp"
 
 #include <fstiff/core/version.hpp>
 
@@ -34,7 +34,7 @@ int status_of_exception() noexcept {
         throw;
     } catch (const argument_error& error) {
         return is(FSTIFF_BAD_ARGUMENT, error.what());
-    } catch (const scene::no_such_entry& error) {
+    } catch (const actions::no_such_entry& error) {
         return is(FSTIFF_BAD_ARGUMENT, error.what());
     } catch (const domain_error& error) {
         return is(FSTIFF_REFUSED, error.what());
@@ -53,8 +53,8 @@ int status_of_exception() noexcept {
 
 void refuse_null(const char* name) { throw argument_error(std::string(name) + ": must not be NULL"); }
 
-void refuse_size(const char* name, std::size_t found, std::size_t first, std::size_t now) {
-    throw argument_error(std::string(name) + "->size = " + std::to_string(found) + ": must be " +
+void refuse_size(const char* name, std::size_t size, std::size_t first, std::size_t now) {
+    throw argument_error(std::string(name) + "->size = " + std::to_string(size) + ": must be " +
                          (first < now ? std::to_string(first) + " to " : "") + std::to_string(now) +
                          ", its sizeof in fstiff.h up to version " FSTIFF_VERSION_TEXT);
 }

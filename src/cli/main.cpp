@@ -17,10 +17,10 @@
 namespace {
 
 using namespace fstiff::cli;
-using fstiff::scene::option_error;
+using fstiff::document::option_error;
 
 /// One line on standard error, whatever the message holds.
-void say(const std::string& message) { std::cerr << "fstiff: " << printable(message) << '\n'; }
+void say(const std::string& message) { std::cerr << "fstiff: " << fstiff::document::printable(message) << '\n'; }
 
 int execute(const Command& command) {
     name_inputs(command.texts);
@@ -69,9 +69,9 @@ int run(std::vector<std::string> words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const fstiff::scene::os::Surroundings surroundings;
+    const fstiff::document::os::Surroundings surroundings;
     try {
-        return run(fstiff::scene::os::arguments(argc, argv));
+        return run(fstiff::document::os::arguments(argc, argv));
     } catch (const Usage& error) {
         say(error.what());
         return usage_error;

@@ -9,7 +9,7 @@
 #include <memory>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 Document Document::of_file(std::function<std::string()> file) {
     Document document("");
@@ -87,14 +87,14 @@ std::string Document::csv() const {
 }
 
 Json Document::values() const {
-    Json all = json;
-    for (const auto& part : values_) part(all);
-    if (has_warnings) all["warnings"] = warnings;
-    return all;
+    Json printed = json;
+    for (const auto& part : values_) part(printed);
+    if (has_warnings) printed["warnings"] = warnings;
+    return printed;
 }
 
 std::string Document::str(Format format) const {
     return format == Format::table ? text() : format == Format::csv ? csv() : values().str();
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -19,23 +19,23 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 /// The form of a document.
 enum class Format { table, csv, json };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document
 
 namespace fstiff {
 
 template <>
-inline constexpr auto names<scene::Format> = detail::name_list<scene::Format>({{scene::Format::table, "table"},
-                                                                               {scene::Format::csv, "csv"},
-                                                                               {scene::Format::json, "json"}});
+inline constexpr auto names<document::Format> = detail::name_list<document::Format>({{document::Format::table, "table"},
+                                                                                     {document::Format::csv, "csv"},
+                                                                                     {document::Format::json, "json"}});
 
 }  // namespace fstiff
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 /// A value by its key in JSON and CSV, and for people as a part of a sentence.
 struct Fact {
@@ -104,4 +104,4 @@ private:
     std::vector<std::function<void(Json&)>> values_{};
 };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

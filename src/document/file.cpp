@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 namespace {
 
 std::string number(double value, int digits) {
@@ -38,15 +38,15 @@ std::string without_small_exponent(std::string text) {
 std::filesystem::path output_target(const std::string& file) {
     namespace fs = std::filesystem;
     std::error_code error;
-    fs::path at = fs::absolute(path_of(file));
-    for (int links = 0; !fs::exists(at, error) && fs::is_symlink(fs::symlink_status(at, error)); ++links) {
+    fs::path path = fs::absolute(path_of(file));
+    for (int links = 0; !fs::exists(path, error) && fs::is_symlink(fs::symlink_status(path, error)); ++links) {
         if (links == 40)
             throw file_error(
                 file, "cannot be written: " + std::make_error_code(std::errc::too_many_symbolic_link_levels).message());
-        at = at.parent_path() / fs::read_symlink(at, error);
+        path = path.parent_path() / fs::read_symlink(path, error);
     }
-    const fs::path target = fs::weakly_canonical(at, error);
-    return error ? at : target;
+    const fs::path target = fs::weakly_canonical(path, error);
+    return error ? path : target;
 }
 
 std::string read_all(const std::string& file, std::uint64_t enough) {
@@ -82,9 +82,9 @@ double parse_positive(const std::string& text, io::Dimension dimension, std::str
 std::string printable(std::string_view text, std::string_view kept) {
     std::string shown;
     shown.reserve(text.size());
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = io::detail::utf8_length(text.substr(at));
-        const std::string_view character = text.substr(at, std::max<std::size_t>(length, 1));
+    for (std::size_t place = 0; place < text.size();) {
+        const std::size_t length = io::detail::utf8_length(text.substr(place));
+        const std::string_view character = text.substr(place, std::max<std::size_t>(length, 1));
         const auto byte = static_cast<unsigned char>(character[0]);
         const bool is_control =
             byte < 0x20 || byte == 0x7f ||
@@ -97,7 +97,7 @@ std::string printable(std::string_view text, std::string_view kept) {
             shown += ' ';
         else
             shown += character;
-        at += character.size();
+        place += character.size();
     }
     return shown;
 }
@@ -112,4 +112,4 @@ std::string list_of(std::span<const std::string_view> items) {
     return text;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

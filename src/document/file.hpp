@@ -15,7 +15,7 @@ namespace fstiff::inline v0_1::io {
 enum class Dimension;
 }
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 using io::detail::name_of_path;
 using io::detail::path_of;
@@ -68,4 +68,4 @@ auto about_file(const std::string& file, const Call& call) {
 /// \p items quoted as "a", "b", "c".
 [[nodiscard]] std::string list_of(std::span<const std::string_view> items);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

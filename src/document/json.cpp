@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 Json::Json(double value) : value_(value) {
     if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
@@ -34,8 +34,9 @@ Json::Json(std::initializer_list<Json> items) : value_(Items(items)) {
 Json& Json::operator[](std::string_view key) {
     if (std::holds_alternative<std::nullptr_t>(value_)) value_ = Members();
     Members& members = std::get<Members>(value_);
-    const auto found = std::find_if(members.begin(), members.end(), [&](const auto& one) { return one.first == key; });
-    return found != members.end() ? found->second : members.emplace_back(key, Json()).second;
+    const auto entry =
+        std::find_if(members.begin(), members.end(), [&](const auto& member) { return member.first == key; });
+    return entry != members.end() ? entry->second : members.emplace_back(key, Json()).second;
 }
 
 void Json::push_back(Json item) {
@@ -68,14 +69,14 @@ namespace {
 /// \p json without the control characters that JSON itself lets pass.
 std::string printed(const nlohmann::ordered_json& json, int indent) {
     std::string text = json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    for (std::size_t at = 0; at < text.size(); ++at) {
-        const bool is_delete = text[at] == 0x7f;
-        const auto next = static_cast<unsigned char>(at + 1 < text.size() ? text[at + 1] : 0);
-        if (!is_delete && !(text[at] == '\xc2' && next < 0xa0)) continue;
+    for (std::size_t place = 0; place < text.size(); ++place) {
+        const bool is_delete = text[place] == 0x7f;
+        const auto next = static_cast<unsigned char>(place + 1 < text.size() ? text[place + 1] : 0);
+        if (!is_delete && !(text[place] == '\xc2' && next < 0xa0)) continue;
         constexpr const char* digits = "0123456789abcdef";
         const unsigned code = is_delete ? 0x7f : next;
-        text.replace(at, is_delete ? 1 : 2, {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]});
-        at += 5;
+        text.replace(place, is_delete ? 1 : 2, {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]});
+        place += 5;
     }
     return text;
 }
@@ -91,9 +92,9 @@ const Json* Json::at(std::string_view path) const {
     const std::size_t end = std::min(path.find('.'), path.size());
     const std::string_view key = path.substr(0, end), rest = path.substr(std::min(end + 1, path.size()));
     if (const auto* members = std::get_if<Members>(&value_)) {
-        const auto found =
-            std::find_if(members->begin(), members->end(), [&](const auto& one) { return one.first == key; });
-        return found == members->end() ? nullptr : found->second.at(rest);
+        const auto entry =
+            std::find_if(members->begin(), members->end(), [&](const auto& member) { return member.first == key; });
+        return entry == members->end() ? nullptr : entry->second.at(rest);
     }
     const auto* items = std::get_if<Items>(&value_);
     std::size_t place = 0;
@@ -105,20 +106,20 @@ const Json* Json::at(std::string_view path) const {
 std::vector<double> Json::numbers() const {
     if (std::holds_alternative<std::nullptr_t>(value_)) return {std::numeric_limits<double>::quiet_NaN()};
     if (const auto* real = std::get_if<double>(&value_)) return {*real};
-    if (const auto* whole = std::get_if<std::int64_t>(&value_)) return {static_cast<double>(*whole)};
+    if (const auto* integer = std::get_if<std::int64_t>(&value_)) return {static_cast<double>(*integer)};
     if (const auto* count = std::get_if<std::uint64_t>(&value_)) return {static_cast<double>(*count)};
     const auto* items = std::get_if<Items>(&value_);
     if (!items) throw domain_error("is neither a number nor an array of them");
-    std::vector<double> all;
+    std::vector<double> values;
     for (const Json& item : *items) {
-        const std::vector<double> one = item.numbers();
-        all.insert(all.end(), one.begin(), one.end());
+        const std::vector<double> member = item.numbers();
+        values.insert(values.end(), member.begin(), member.end());
     }
-    return all;
+    return values;
 }
 
 Json json_document(std::string_view command) {
     return {{"schema_version", 1}, {"fstiff_version", FSTIFF_VERSION_TEXT}, {"command", command}};
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 class Json {
 public:
@@ -73,4 +73,4 @@ private:
 /// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
 [[nodiscard]] Json json_document(std::string_view command);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

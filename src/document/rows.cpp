@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 namespace {
 
 using Kind = Cell::Kind;
@@ -58,9 +58,9 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t most) {
             count += begins_character(text[end]);
         }
         --end;  // the first character too many
-        const std::size_t at = space > 0 ? space : end;
-        lines.emplace_back(text.substr(0, at));
-        text.remove_prefix(space > 0 ? at + 1 : at);
+        const std::size_t length = space > 0 ? space : end;
+        lines.emplace_back(text.substr(0, length));
+        text.remove_prefix(space > 0 ? length + 1 : length);
     }
     lines.emplace_back(text);
     return lines;
@@ -147,4 +147,4 @@ Json Rows::arrays() const {
     return all;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 /// Number of characters of UTF-8 text: all bytes but the continuation bytes.
 [[nodiscard]] std::size_t shown_width(std::string_view text);
@@ -122,4 +122,4 @@ private:
     std::vector<Column> columns_;
 };
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 namespace {
 
@@ -40,16 +40,16 @@ inline void one_round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::ui
 std::string sha256(std::string_view text) {
     auto state = first_state;
 
-    const std::size_t whole =
+    const std::size_t in_blocks =
         text.size() - text.size() % 64;  // without a copy: the text may be as long as memory allows
-    std::string padded(text.substr(whole));
+    std::string padded(text.substr(in_blocks));
     padded += '\x80';
     padded.append((120 - padded.size() % 64) % 64, '\0');
     const std::uint64_t bits = std::uint64_t(text.size()) * 8;
     for (int shift = 56; shift >= 0; shift -= 8) padded += static_cast<char>(static_cast<unsigned char>(bits >> shift));
 
-    for (std::size_t block = 0; block < whole + padded.size(); block += 64) {
-        const char* const bytes = block < whole ? text.data() + block : padded.data() + (block - whole);
+    for (std::size_t block = 0; block < in_blocks + padded.size(); block += 64) {
+        const char* const bytes = block < in_blocks ? text.data() + block : padded.data() + (block - in_blocks);
         std::array<std::uint32_t, 64> w;
         const auto byte = [&](std::size_t i) { return std::uint32_t(static_cast<unsigned char>(bytes[i])); };
         for (std::size_t i = 0; i < 16; ++i)
@@ -81,4 +81,4 @@ std::string sha256(std::string_view text) {
     return hex;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 namespace {
 
 struct Step {
@@ -23,7 +23,7 @@ struct Ladder {
 };
 
 const Ladder* ladder_of(std::string_view si) {
-    static const std::vector<Ladder> all{
+    static const std::vector<Ladder> ladders{
         {"m", {{{"m"}, 0}, {{"nm", 1e-9}, 1e-11}, {{"µm", 1e-6}, 1e-7}, {{"mm", 1e-3}, 1e-3}, {{"m"}, 1}}, 2},
         {"m along", {{{"nm", 1e-9}, 0}, {{"µm", 1e-6}, 1e-6}, {{"mm", 1e-3}, 1e-4}, {{"m"}, 1}}, 2},
         {"m^2", {{{"nm²", 1e-18}, 0}, {{"µm²", 1e-12}, 1e-14}, {{"mm²", 1e-6}, 1e-6}, {{"m²"}, 1}}, 1},
@@ -36,8 +36,9 @@ const Ladder* ladder_of(std::string_view si) {
         {"N/m", {{{"N/mm", 1e3}, 0}, {{"N/µm", 1e6}, 1e5}, {{"kN/µm", 1e9}, 1e9}, {{"MN/µm", 1e12}, 1e12}}, 2},
         {"Hz", {{{"Hz"}, 0}, {{"kHz", 1e3}, 1e3}, {{"MHz", 1e6}, 1e4}, {{"GHz", 1e9}, 1e9}}, 2}};
     if (si == "1/m^2") si = "/m^2";
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Ladder& ladder) { return ladder.si == si; });
-    return found == all.end() ? nullptr : &*found;
+    const auto entry =
+        std::find_if(ladders.begin(), ladders.end(), [&](const Ladder& ladder) { return ladder.si == si; });
+    return entry == ladders.end() ? nullptr : &*entry;
 }
 
 /// \p digits of the value, without a power of ten where people write none.
@@ -55,9 +56,9 @@ std::string ShownUnit::operator()(double value, int digits, double error) const 
            (name.empty() ? "" : " ") + std::string(name);
 }
 
-std::string ShownUnit::heading(std::string_view of) const {
-    if (name.empty()) return std::string(of);
-    return std::string(of) + (name.front() == '/' ? " [1" : " [") + std::string(name) + "]";
+std::string ShownUnit::heading(std::string_view quantity) const {
+    if (name.empty()) return std::string(quantity);
+    return std::string(quantity) + (name.front() == '/' ? " [1" : " [") + std::string(name) + "]";
 }
 
 ShownUnit shown_unit(double size, std::string_view si) {
@@ -99,4 +100,4 @@ std::string shown_percent(double share) {
     return (std::abs(percent) < 10 ? rounded(percent, 2) : rounded(std::round(percent), 15)) + " %";
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

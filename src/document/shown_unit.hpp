@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::scene {
+namespace fstiff::document {
 
 struct ShownUnit {
     std::string_view name;
@@ -16,7 +16,7 @@ struct ShownUnit {
     /// \p value [SI] with its unit, and with \p error where that is not 0: "0.832 ± 0.08 µm".
     [[nodiscard]] std::string operator()(double value, int digits = 5, double error = 0) const;
     /// "separation [µm]", "contacts [1/mm²]", "eta": the heading of a column, or the label of an axis.
-    [[nodiscard]] std::string heading(std::string_view of) const;
+    [[nodiscard]] std::string heading(std::string_view quantity) const;
 };
 
 /// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit
@@ -44,4 +44,4 @@ inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e15};
 /// A share in percent, without an exponent: "0.12 %", "8.5 %", "85 %", "181 %".
 [[nodiscard]] std::string shown_percent(double share);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::document

@@ -26,7 +26,9 @@
 #include <unistd.h>
 #endif
 
-namespace fstiff::scene::os {
+namespace fstiff::document::os {
+
+using document::os::Opening, document::os::Path;
 
 #ifdef _WIN32
 
@@ -34,10 +36,10 @@ namespace {
 unsigned at_once(std::size_t size) { return static_cast<unsigned>((std::min)(size, std::size_t(INT_MAX))); }
 }  // namespace
 
-int open_file(const Path& path, Opening how) {
-    const int flags = how == Opening::read      ? _O_RDONLY
-                      : how == Opening::replace ? _O_WRONLY | _O_CREAT | _O_TRUNC
-                                                : _O_RDWR | _O_CREAT;
+int open_file(const Path& path, Opening opening) {
+    const int flags = opening == Opening::read      ? _O_RDONLY
+                      : opening == Opening::replace ? _O_WRONLY | _O_CREAT | _O_TRUNC
+                                                    : _O_RDWR | _O_CREAT;
     return _wopen(path.c_str(), flags | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
 }
 void close_file(int file) { _close(file); }
@@ -89,14 +91,14 @@ std::vector<std::string> arguments(int, char**) {  // which have lost what is no
     return texts;
 }
 
-Surroundings::Surroundings() : code_page_(GetConsoleOutputCP()) {
+document::os::Surroundings::Surroundings() : code_page_(GetConsoleOutputCP()) {
     for (std::FILE* stream : {stdin, stdout, stderr}) _setmode(_fileno(stream), _O_BINARY);
     SetConsoleOutputCP(CP_UTF8);
     DWORD mode = 0;
     const HANDLE errors = GetStdHandle(STD_ERROR_HANDLE);  // of the progress bar, which clears lines
     if (GetConsoleMode(errors, &mode)) SetConsoleMode(errors, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
-Surroundings::~Surroundings() {
+document::os::Surroundings::~Surroundings() {
     if (code_page_ != 0) SetConsoleOutputCP(code_page_);
 }
 
@@ -111,10 +113,10 @@ auto uninterrupted(const Call& call) {
 }
 }  // namespace
 
-int open_file(const Path& path, Opening how) {
-    const int flags = how == Opening::read      ? O_RDONLY
-                      : how == Opening::replace ? O_WRONLY | O_CREAT | O_TRUNC
-                                                : O_RDWR | O_CREAT;
+int open_file(const Path& path, Opening opening) {
+    const int flags = opening == Opening::read      ? O_RDONLY
+                      : opening == Opening::replace ? O_WRONLY | O_CREAT | O_TRUNC
+                                                    : O_RDWR | O_CREAT;
     return open(path.c_str(), flags | O_CLOEXEC, 0666);
 }
 void close_file(int file) { close(file); }
@@ -152,9 +154,9 @@ std::span<const int> ending_signals() {
 
 std::vector<std::string> arguments(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
 
-Surroundings::Surroundings() { std::signal(SIGXFSZ, SIG_IGN); }
-Surroundings::~Surroundings() = default;
+document::os::Surroundings::Surroundings() { std::signal(SIGXFSZ, SIG_IGN); }
+document::os::Surroundings::~Surroundings() = default;
 
 #endif
 
-}  // namespace fstiff::scene::os
+}  // namespace fstiff::document::os

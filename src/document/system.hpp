@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene::os {
+namespace fstiff::document::os {
 
 using Path = std::filesystem::path;
 
@@ -21,7 +21,7 @@ enum class Opening {
 };
 
 /// \returns a descriptor, or -1.
-[[nodiscard]] int open_file(const Path& path, Opening how);
+[[nodiscard]] int open_file(const Path& path, Opening opening);
 void close_file(int file);
 /// \returns how many bytes were written, at least one; or -1.
 [[nodiscard]] std::ptrdiff_t write_some(int file, const char* bytes, std::size_t size);
@@ -62,4 +62,4 @@ private:
     [[maybe_unused]] unsigned code_page_ = 0;  ///< of the terminal before, on Windows
 };
 
-}  // namespace fstiff::scene::os
+}  // namespace fstiff::document::os

@@ -15,7 +15,7 @@ namespace {
 using Kind = Value::Kind;
 using Giver = Value::Giver;
 
-bool is_number(const Value& value) { return value.kind == Kind::whole || value.kind == Kind::real; }
+bool is_number(const Value& value) { return value.kind == Kind::integer || value.kind == Kind::real; }
 
 /// \p reason is the end of the sentence.
 [[noreturn]] void refuse(const Value& value, std::string_view key, const std::string& reason) {
@@ -31,7 +31,7 @@ std::string of_a_grid(const Value& value) {
 
 double plain(const Value& value, std::string_view key) {
     if (!is_number(value)) refuse(value, key, "must be a plain number" + of_a_grid(value));
-    if (value.kind == Kind::whole && !(std::abs(value.number) <= 0x1p53))
+    if (value.kind == Kind::integer && !(std::abs(value.number) <= 0x1p53))
         refuse(value, key, "must be at most 2^53 as a whole number; write a greater one with an exponent");
     if (!std::isfinite(value.number)) refuse(value, key, "must be a finite number");
     return value.number;
@@ -75,7 +75,7 @@ double Amount::value(io::Dimension dimension, std::string_view name) const {
 }
 
 double Amount::positive(io::Dimension dimension, std::string_view name) const {
-    const double si = si_.empty() ? scene::parse_positive(text_, dimension, name) : value(dimension, name);
+    const double si = si_.empty() ? document::parse_positive(text_, dimension, name) : value(dimension, name);
     detail::require_positive(name, si);
     return si;
 }
@@ -85,9 +85,9 @@ std::string Field::text_of(double bound) {
     return is_whole ? std::to_string(static_cast<std::int64_t>(bound)) : detail::shortest_text(bound);
 }
 
-std::string Field::allowed(bool whole) const {
-    const std::string kind = whole ? "a whole number" : "a number";
-    if (!has_range()) return whole ? kind : "a finite number";
+std::string Field::allowed(bool integer) const {
+    const std::string kind = integer ? "a whole number" : "a number";
+    if (!has_range()) return integer ? kind : "a finite number";
     const std::string from = text_of(low), to = text_of(high);
     if (!above_low) return kind + " from " + from + " to " + to;
     const bool is_open = high == std::numeric_limits<double>::max();
@@ -147,7 +147,7 @@ Value Value::of_text(std::string text, Giver giver) {
     const auto number = io::detail::leading_number(value.written);
     if (value.written.empty() || number.length != value.written.size() || number.status != io::detail::NumberStatus::ok)
         return value;
-    value.kind = number.value == std::floor(number.value) ? Kind::whole : Kind::real;
+    value.kind = number.value == std::floor(number.value) ? Kind::integer : Kind::real;
     value.number = number.value;
     return value;
 }
@@ -213,11 +213,11 @@ void put(const Value& value, Amount& to, std::string_view key, const Field& fiel
     to = is_text ? Amount(texts) : Amount(numbers);
 }
 
-std::int64_t whole(const Value& value, std::string_view key, const Field& field, std::int64_t least,
-                   std::int64_t most) {
+std::int64_t integer(const Value& value, std::string_view key, const Field& field, std::int64_t least,
+                     std::int64_t most) {
     Field range = field;
     if (!range.has_range()) range.low = static_cast<double>(least), range.high = static_cast<double>(most);
-    if (value.kind != Kind::whole || !range.holds(value.number)) {
+    if (value.kind != Kind::integer || !range.holds(value.number)) {
         const bool is_written_so = value.kind == Kind::real && value.number == std::floor(value.number);
         refuse(value, key,
                "must be " + range.allowed(true) +
@@ -232,7 +232,7 @@ std::int64_t whole(const Value& value, std::string_view key, const Field& field,
 std::uint64_t count(const Value& value, std::string_view key, const Field& field) {
     const bool is_text = value.giver == Giver::command || value.giver == Giver::line;
     if (!is_text || field.has_range())
-        return static_cast<std::uint64_t>(whole(value, key, field, 0, (std::int64_t(1) << 53) - 1));
+        return static_cast<std::uint64_t>(integer(value, key, field, 0, (std::int64_t(1) << 53) - 1));
     std::uint64_t number = 0;
     const char* const last = value.written.data() + value.written.size();
     const auto [end, error] = std::from_chars(value.written.data(), last, number);
@@ -243,7 +243,7 @@ std::uint64_t count(const Value& value, std::string_view key, const Field& field
 
 std::size_t word(const Value& value, std::string_view key, const std::vector<std::string_view>& words) {
     const auto place = std::find(words.begin(), words.end(), value.kind == Kind::text ? value.written : "");
-    if (place == words.end()) refuse(value, key, "must be one of " + scene::list_of(words));
+    if (place == words.end()) refuse(value, key, "must be one of " + document::list_of(words));
     return static_cast<std::size_t>(place - words.begin());
 }
 

@@ -75,7 +75,7 @@ struct Field {
     /// \p bound of the range: 100000, where shortest_text() has 1e+05.
     [[nodiscard]] static std::string text_of(double bound);
     /// "a number from 3 to 1000", "greater than 0 and at most 1", "a whole number from 16 to 4096".
-    [[nodiscard]] std::string allowed(bool whole = false) const;
+    [[nodiscard]] std::string allowed(bool integer = false) const;
 };
 
 /// Greater than 0, of \p dimension.
@@ -89,7 +89,7 @@ struct Field {
 
 /// A value as it was given.
 struct Value {
-    enum class Kind { truth, whole, real, text, list, other };
+    enum class Kind { truth, integer, real, text, list, other };
     /// What gives it: a person by a scene or a command, whose quantities have a unit; a program, whose numbers are in
     /// SI, by its types or by a line of text. Texts of a command and of a line have no kinds.
     enum class Giver { scene, command, program, line };
@@ -114,8 +114,8 @@ void put(const Value& value, std::string& to, std::string_view key, const Field&
 void put(const Value& value, std::vector<std::string>& to, std::string_view key, const Field& field);
 void put(const Value& value, Amount& to, std::string_view key, const Field& field);
 /// A whole number of \p field, or from \p least to \p most where that has no range.
-[[nodiscard]] std::int64_t whole(const Value& value, std::string_view key, const Field& field, std::int64_t least,
-                                 std::int64_t most);
+[[nodiscard]] std::int64_t integer(const Value& value, std::string_view key, const Field& field, std::int64_t least,
+                                   std::int64_t most);
 /// The same without a sign: of a text up to 2^64 - 1.
 [[nodiscard]] std::uint64_t count(const Value& value, std::string_view key, const Field& field);
 /// The place of a word among \p words.
@@ -125,7 +125,7 @@ template <std::integral Whole>
 void put(const Value& value, Whole& to, std::string_view key, const Field& field) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     if constexpr (std::is_signed_v<Whole>)
-        to = static_cast<Whole>(whole(value, key, field, -most, most));
+        to = static_cast<Whole>(integer(value, key, field, -most, most));
     else
         to = static_cast<Whole>(count(value, key, field));
 }

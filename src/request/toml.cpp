@@ -34,18 +34,19 @@ private:
     bool blank_ = true;
 };
 
-/// The place in \p text after the comment, or the text in quotation marks, that begins at \p at; \p at elsewhere.
-std::size_t after_quoted(std::string_view text, std::size_t at) {
-    const char c = text[at];
-    if (c == '#') return std::min(text.find('\n', at), text.size());
-    if (c != '"' && c != '\'') return at;
-    const std::string mark(text.substr(at, 3) == std::string(3, c) ? 3 : 1, c);
-    at += mark.size();
-    while (at < text.size() && text.substr(at, mark.size()) != mark && (mark.size() == 3 || text[at] != '\n'))
-        at += c == '"' && text[at] == '\\' && at + 1 < text.size() ? 2 : 1;
-    if (at < text.size() && text[at] == c) at += mark.size();
-    for (int more = 0; mark.size() == 3 && more < 2 && text.substr(at).starts_with(c); ++more) ++at;  // of the text
-    return at;
+/// The place in \p text after the comment, or the text in quotation marks, that begins at \p place; \p place elsewhere.
+std::size_t after_quoted(std::string_view text, std::size_t place) {
+    const char c = text[place];
+    if (c == '#') return std::min(text.find('\n', place), text.size());
+    if (c != '"' && c != '\'') return place;
+    const std::string mark(text.substr(place, 3) == std::string(3, c) ? 3 : 1, c);
+    place += mark.size();
+    while (place < text.size() && text.substr(place, mark.size()) != mark && (mark.size() == 3 || text[place] != '\n'))
+        place += c == '"' && text[place] == '\\' && place + 1 < text.size() ? 2 : 1;
+    if (place < text.size() && text[place] == c) place += mark.size();
+    for (int more = 0; mark.size() == 3 && more < 2 && text.substr(place).starts_with(c); ++more)
+        ++place;  // of the text
+    return place;
 }
 
 /// Whether \p quoted, a text in double quotation marks, has the escape of U+0000.
@@ -101,7 +102,7 @@ std::size_t breaking_line(std::string_view text) {
 std::string written(const toml::node& node) {
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* number = node.as_floating_point())
-        return std::isfinite(number->get()) ? scene::shortest(number->get())
+        return std::isfinite(number->get()) ? document::shortest(number->get())
                : std::isnan(number->get())  ? "nan"
                : number->get() < 0          ? "-inf"
                                             : "inf";
@@ -118,11 +119,11 @@ Value value_of(const toml::node& node) {
     if (node.is_string()) value.kind = Kind::text;
     if (const auto* truth = node.as_boolean()) value.kind = Kind::truth, value.number = truth->get();
     if (const auto* real = node.as_floating_point()) value.kind = Kind::real, value.number = real->get();
-    if (const auto* whole = node.as_integer()) {
+    if (const auto* integer = node.as_integer()) {
         constexpr std::int64_t most = std::int64_t(1) << 53;  // which a double may not hold beyond
-        const bool is_exact = whole->get() <= most && whole->get() >= -most;
-        value.kind = Kind::whole;
-        value.number = is_exact ? static_cast<double>(whole->get()) : std::numeric_limits<double>::quiet_NaN();
+        const bool is_exact = integer->get() <= most && integer->get() >= -most;
+        value.kind = Kind::integer;
+        value.number = is_exact ? static_cast<double>(integer->get()) : std::numeric_limits<double>::quiet_NaN();
     }
     if (const auto* list = node.as_array()) {
         value.kind = Kind::list;
@@ -132,7 +133,7 @@ Value value_of(const toml::node& node) {
 }
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
-    if (text.size() > scene::longest_scene)
+    if (text.size() > document::longest_scene)
         throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes or more; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
         return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason);

@@ -13,8 +13,8 @@
 // throw in every build; no other file includes toml++.
 namespace fstiff::request {
 struct BrokenToml {};
-constexpr void expect_toml(bool whole) {
-    if (!whole) throw BrokenToml{};
+constexpr void expect_toml(bool holds) {
+    if (!holds) throw BrokenToml{};
 }
 }  // namespace fstiff::request
 #undef NDEBUG
@@ -34,8 +34,8 @@ constexpr void expect_toml(bool whole) {
 
 namespace fstiff::request {
 
+using document::list_of;
 using io::Dimension;
-using scene::list_of;
 
 /// The text of a value for messages and for the echo of the inputs.
 [[nodiscard]] std::string written(const toml::node& node);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/column.hpp"
 
-#include "scene/results.hpp"
+#include "scene/scene.hpp"
 
 #include <fstiff/answer/curves.hpp>
 
@@ -11,6 +11,9 @@
 #include <limits>
 
 namespace fstiff::scene {
+
+using detail::Derived;
+
 namespace {
 
 /// The quantity that the library derives from K; none for what a state has itself.
@@ -28,13 +31,13 @@ std::optional<Derived> derived_of(CurveQuantity quantity) {
 }
 
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
-Estimate<double> estimate_of(const Column& column, const Problem& problem, const Curve& curve, std::size_t i,
-                             const ContactState<double>& s) {
+Estimate<double> estimate_of(const Column& column, const detail::Problem& problem, const detail::LawCurve& curve,
+                             std::size_t i, const ContactState<double>& s) {
     if (const auto which = derived_of(column.quantity))
         return derived(*which, problem, curve, i, s,
-                       column.statistic == Statistic::p05   ? BandEnd::low
-                       : column.statistic == Statistic::p95 ? BandEnd::high
-                                                            : BandEnd::value);
+                       column.statistic == Statistic::p05   ? detail::BandEnd::low
+                       : column.statistic == Statistic::p95 ? detail::BandEnd::high
+                                                            : detail::BandEnd::value);
     const double area = problem.nominal_area.value_or(0);
     using enum CurveQuantity;
     switch (column.quantity) {
@@ -46,16 +49,12 @@ Estimate<double> estimate_of(const Column& column, const Problem& problem, const
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
-        case thermal_conductance_gap: return {conductance_of_gap(problem.conduction, s.separation.value), 0};
+        case thermal_conductance_gap: return {detail::conductance_of_gap(problem.conduction, s.separation.value), 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
         default: return {};
     }
 }
-
-}  // namespace
-
-namespace {
 
 bool always(const Scene&) { return true; }
 bool never(const Scene&) { return false; }
@@ -146,17 +145,17 @@ std::vector<const CurveQuantityRow*> chosen_quantities() {
 
 const std::string& Column::key() const {
     static const auto keys = [] {
-        std::vector<std::array<std::string, 4>> all;  // by quantity and statistic
+        std::vector<std::array<std::string, 4>> rows;  // by quantity and statistic
         for (const CurveQuantityRow& row : curve_quantities()) {
             const std::string name(row.name), suffix(row.suffix);
-            all.push_back({name + suffix, name + "_error" + suffix, name + "_p05" + suffix, name + "_p95" + suffix});
+            rows.push_back({name + suffix, name + "_error" + suffix, name + "_p05" + suffix, name + "_p95" + suffix});
         }
-        return all;
+        return rows;
     }();
     return keys[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(statistic)];
 }
 
-std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool bands) {
+std::vector<Column> columns_of(const Scene& scene, const detail::LawCurve& curve, bool bands) {
     std::vector<Column> columns;
     const auto add = [&](const CurveQuantityRow& row, Statistic statistic) {
         Column& column = columns.emplace_back(Column{row.quantity, statistic});
@@ -171,11 +170,11 @@ std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool band
         for (std::size_t i = 0; i < curve.states.size(); ++i) {
             ContactState<double> state = curve.states[i];
             if (of_band) state.stiffness = {curve.band[i].*end, 0};
-            const Estimate<double> found = estimate_of(column, scene, curve, i, state);
-            const bool lost = row.quantity == CurveQuantity::loading_stiffness && found.value == 0;
+            const Estimate<double> estimate = estimate_of(column, scene, curve, i, state);
+            const bool lost = row.quantity == CurveQuantity::loading_stiffness && estimate.value == 0;
             column.values.push_back(lost                            ? std::numeric_limits<double>::quiet_NaN()
-                                    : statistic == Statistic::error ? found.error
-                                                                    : found.value);
+                                    : statistic == Statistic::error ? estimate.error
+                                                                    : estimate.value);
         }
         if (std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isnan(value); }))
             column.values.clear();  // plastic boundary elements know unloading alone

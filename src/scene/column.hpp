@@ -2,6 +2,7 @@
 #pragma once
 // The columns of a curve, each by what it holds: names, units and headings follow from one table.
 
+#include <fstiff/answer/curves.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/peaks/quantity.hpp>
 
@@ -13,7 +14,6 @@
 
 namespace fstiff::scene {
 
-struct Curve;
 struct Scene;
 
 /// Quantities of columns, in the order of the columns.
@@ -77,6 +77,6 @@ struct Column {
 };
 
 /// The columns that \p scene asks for, of the states and the band of \p curve; with \p bands some curve has a band.
-[[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const Curve& curve, bool bands);
+[[nodiscard]] std::vector<Column> columns_of(const Scene& scene, const detail::LawCurve& curve, bool bands);
 
 }  // namespace fstiff::scene

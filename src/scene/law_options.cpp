@@ -37,7 +37,7 @@ void read_law_options(request::Source& source, const Section& root, LawName law,
         if constexpr (std::is_same_v<decltype(to), const bool&>)
             if (!is_shared(law)) source.record_default(section.key(key), to ? "1" : "0", to ? 1 : 0);
     });
-    if (section.find("spectrum") && scene.law_options.spectrum == SpectrumSource::map && !scene.face.map)
+    if (section.find("spectrum") && scene.law_options.spectrum == detail::SpectrumSource::map && !scene.face.map)
         section.refuse("spectrum", "needs a map: surface.from, or --surface, must name the file of one");
 }
 

@@ -20,7 +20,7 @@ inline constexpr std::array laws_with_options{LawName::summits, LawName::persson
 
 /// Hands over the options of \p law.
 template <class Take>
-void each_law_option(LawName law, LawOptions& options, Take take) {
+void each_law_option(LawName law, detail::LawOptions& options, Take take) {
     using request::Field;
     if (law == LawName::summits) take("mutual", options.mutual, Field{.form = request::Form::or_number});
     if (law == LawName::persson) {

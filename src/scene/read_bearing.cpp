@@ -32,8 +32,9 @@ void read_shape(Source& source, const Section& surface, JointFace& face) {
         source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
     const double least = detail::least_kurtosis(skewness);
     if (!(kurtosis >= least && kurtosis <= detail::most_kurtosis<double>))
-        source.refuse(*surface.find("kurtosis"), surface.key("kurtosis"),
-                      "must be from " + rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
+        source.refuse(
+            *surface.find("kurtosis"), surface.key("kurtosis"),
+            "must be from " + document::rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
     face.skewness = skewness, face.kurtosis = kurtosis;
 }
 

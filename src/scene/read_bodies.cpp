@@ -38,8 +38,9 @@ const NamedMaterial& named_material(Source& source, const toml::node& node, cons
     if (!near)
         for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
     source.refuse(node, key,
-                  (near ? "is no material that is known; did you mean " : "must be one of ") + list_of(names) +
-                      (near ? "? Or give" : ", or") + " a section with youngs_modulus and poisson_ratio");
+                  (near ? "is no material that is known; did you mean " : "must be one of ") +
+                      document::list_of(names) + (near ? "? Or give" : ", or") +
+                      " a section with youngs_modulus and poisson_ratio");
 }
 
 /// "240 HV", "180 HBW", "60 HRC" or "HV 240", of a body with the modulus \p modulus [Pa], as a pressure [Pa]; none:
@@ -140,8 +141,8 @@ void warn_of_strength(const ReadBody& body, const char* name, Scene& scene) {
     const auto& [elastic, yield, hardness, range] = body.body;
     const std::string place = std::string("material.") + name;
     const auto warn = [&](const char* key, double value, const char* limit, double most, const char* why) {
-        scene.warnings.push_back(place + key + " = " + with_unit(value, "Pa", 3) + limit + with_unit(most, "Pa", 3) +
-                                 why);
+        scene.warnings.push_back(place + key + " = " + document::with_unit(value, "Pa", 3) + limit +
+                                 document::with_unit(most, "Pa", 3) + why);
     };
     const double E = elastic.youngs_modulus;
     if (hardness && std::isfinite(*hardness) && *hardness > E / 10 && E > 15e9)
@@ -157,7 +158,7 @@ void warn_of_strength(const ReadBody& body, const char* name, Scene& scene) {
 
 /// "205 GPa, nu 0.3".
 std::string shown(const Material<double>& material) {
-    return rounded(material.youngs_modulus / 1e9) + " GPa, nu " + rounded(material.poisson_ratio);
+    return document::rounded(material.youngs_modulus / 1e9) + " GPa, nu " + document::rounded(material.poisson_ratio);
 }
 
 }  // namespace
@@ -225,7 +226,8 @@ Body read_body(Source& source, const toml::table* table, const std::string& key,
     std::string taken;
     const auto usual = [&](const char* what, double value, std::string_view unit) {
         record_of_name(source, body.key(what), *name, value, unit);
-        taken += (taken.empty() ? "" : ", ") + std::string(what) + " " + rounded(value) + " " + std::string(unit);
+        taken +=
+            (taken.empty() ? "" : ", ") + std::string(what) + " " + document::rounded(value) + " " + std::string(unit);
         return value;
     };
     auto density = body.optional_positive("density", Dimension::density);

@@ -111,11 +111,12 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
 }
 
 /// The peak density of [surface].
-Peaks peaks_of_surface(const Face& face, const Place& where) {
+detail::Peaks peaks_of_surface(const detail::Face& face, const Place& where) {
     return {*face.value(Parameter::theta), face.value(Parameter::r), true, where, "surface."};
 }
 
-Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path, const Face& face) {
+detail::Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& path,
+                             const detail::Face& face) {
     if (node.is_string() && written(node) == "surface") {
         if (!face.has_peaks())
             source.refuse(node, path,
@@ -127,7 +128,7 @@ Peaks read_one_peaks(Source& source, const toml::node& node, const std::string& 
     if (!node.is_table())
         source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }, or \"surface\"");
     const Section section(source, *node.as_table(), path, {"theta", "r"});
-    Peaks peaks;
+    detail::Peaks peaks;
     peaks.where = source.place(node);
     peaks.key = path + ".";
 
@@ -158,14 +159,15 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
-    if (const auto by = detail::find_named<InteractionLength>(text)) {
+    if (const auto by = detail::find_named<detail::InteractionLength>(text)) {
         scene.length = *by;
         length ? source.record(table.key("length"), text) : source.record_default(table.key("length"), "nominal");
     } else {
-        scene.length = InteractionLength::given;
+        scene.length = detail::InteractionLength::given;
         scene.given_length = source.positive(*length, table.key("length"), Dimension::length);
     }
-    if (scene.reading != InteractionReading::none && scene.length == InteractionLength::nominal && !scene.nominal_area)
+    if (scene.reading != InteractionReading::none && scene.length == detail::InteractionLength::nominal &&
+        !scene.nominal_area)
         throw domain_error(source.at(*node) + ": " + contact.key("nominal_area") +
                            ": is missing; interaction length \"nominal\" is its square root");
 }
@@ -178,21 +180,21 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
         node ? source.record(contact.key("laws"), "best") : source.record_default(contact.key("laws"), "best");
         return read_law_options(source, root, scene.laws.front()->which, scene);
     }
-    std::vector<const Law*> chosen;
-    const auto names = law_names();
-    for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&laws()[i]);
-    const auto lacks = [&](const Law* law) { return law->needs_dimension && !scene.face.dimension(); };
+    std::vector<const detail::Law*> chosen;
+    const auto names = detail::law_names();
+    for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&detail::laws()[i]);
+    const auto lacks = [&](const detail::Law* law) { return law->needs_dimension && !scene.face.dimension(); };
     if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
         if (std::erase_if(chosen, lacks) > 0)
             scene.warnings.push_back("no fractal law is computed, because D is not known");
     }
-    const auto lacks_radius = [&](const Law* law) {
+    const auto lacks_radius = [&](const detail::Law* law) {
         return law->needs_radius() && !scene.face.has_radius_and_density();
     };
     if (!std::all_of(chosen.begin(), chosen.end(), lacks_radius) && std::erase_if(chosen, lacks_radius) > 0)
         scene.warnings.push_back("no law over a distribution of peaks is computed, because D_p is not known: " +
                                  scene.face.parameters.why_no_density);
-    for (const Law* law : chosen) {
+    for (const detail::Law* law : chosen) {
         if (lacks(law))
             throw domain_error(source.at(*node) + ": surface.fractal_dimension: is missing; law \"" +
                                std::string(law->name) + "\" needs it" +
@@ -226,7 +228,7 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
                                                      contact.key("peaks") + "[" + std::to_string(i) + "]", scene.face));
     } else {
         take_peaks(scene);
-        for (Peaks& entry : scene.peaks) entry.where.file = source.file, entry.key = "contact.peaks.";
+        for (detail::Peaks& entry : scene.peaks) entry.where.file = source.file, entry.key = "contact.peaks.";
         const bool isotropic = has_isotropic_peaks(scene.face);
         source.record_default(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws "
                                                                 "theta = pi/4 and pi/3, r = exponential"
@@ -240,7 +242,7 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
     for (const LawName law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
-        scene.face.write([&](Face& face) { face.spectrum_of_map = spectrum == SpectrumSource::map; });
+        scene.face.write([&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
     std::vector<std::string_view> keys{"nominal_area", "washer", "pressures", "separations", "force",
                                        "seating",      "laws",   "peaks",     "interaction"};
     for (const LawName law : laws_with_options) keys.push_back(name_of(law));
@@ -250,7 +252,8 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
     read_laws(source, root, contact, scene, replaced);
     for (const LawName law : laws_with_options)  // checked, though no law of the scene takes them
         if (!is_shared(law) && contact.find(name_of(law)) &&
-            std::none_of(scene.laws.begin(), scene.laws.end(), [&](const Law* known) { return known->which == law; }))
+            std::none_of(scene.laws.begin(), scene.laws.end(),
+                         [&](const detail::Law* known) { return known->which == law; }))
             read_law_options(source, root, law, scene);
     read_peaks(source, contact, scene, replaced);
     read_interaction(source, contact, scene);

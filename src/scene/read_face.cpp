@@ -12,35 +12,36 @@
 namespace fstiff::scene {
 namespace {
 
-using Measured = std::shared_ptr<const MeasuredSurface>;
+using Measured = std::shared_ptr<const surface::MeasuredSurface>;
 
 std::shared_ptr<const Surface<double>> found_of(const Measured& measured) { return {measured, &measured->found}; }
 
 /// Measures or reads the files that surface.from or --surface names; messages begin with \p place.
-Measured measured_from(const MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
+Measured measured_from(const surface::MeasureOptions& options, const std::vector<std::string>& files, bool defaults,
                        const Place& place, const ProgressHook& progress) {
-    return std::make_shared<const MeasuredSurface>(detail::located(place, [&] {
+    return std::make_shared<const surface::MeasuredSurface>(detail::located(place, [&] {
         std::error_code none;
-        if (files.size() > 1 || std::filesystem::is_directory(path_of(files.front()), none))
+        if (files.size() > 1 || std::filesystem::is_directory(document::path_of(files.front()), none))
             return measure_files(options, files, progress);
         const std::string& file = files.front();
-        std::string bytes = read_all(file);
-        if (!is_measured_document(bytes)) {
-            MeasureOptions of_file = options;
+        std::string bytes = document::read_all(file);
+        if (!surface::is_measured_document(bytes)) {
+            surface::MeasureOptions of_file = options;
             of_file.input.file = file;
             return measure_surface(of_file, std::move(bytes), progress);
         }
         if (!defaults)
-            throw domain_error(display_name(file) +
+            throw domain_error(document::display_name(file) +
                                ": is the JSON of fstiff measure, measured already; give it without keys of reading");
-        return read_measured_document(bytes, display_name(file));
+        return surface::read_measured_document(bytes, document::display_name(file));
     }));
 }
 
 /// \p file, which the scene names relative to itself; "-" is standard input.
 std::string beside_scene(Source& source, const std::string& file) {
-    return source.files.emplace_back(file == "-" ? file
-                                                 : name_of_path(path_of(source.file).parent_path() / path_of(file)));
+    return source.files.emplace_back(
+        file == "-" ? file
+                    : document::name_of_path(document::path_of(source.file).parent_path() / document::path_of(file)));
 }
 
 /// The files that \p from names, relative to the scene.
@@ -61,14 +62,14 @@ std::vector<std::string> files_of(Source& source, const toml::node& from, const 
 
 Measured read_from(Source& source, const Section& surface, const ProgressHook& progress) {
     const toml::node& from = surface.at("from");
-    MeasureOptions options;
+    surface::MeasureOptions options;
     options.neighbours = source.has_band;
     const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     bool defaults = true;
-    for (const SurfaceOptionRow& row : surface_option_table())
+    for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
         if (const toml::node* node = surface.find(row.key)) {
             row.visit(options.input, [&](auto& to) {
-                source.read(*node, surface.key(row.key), to, row.field_for(SurfaceKind::any));
+                source.read(*node, surface.key(row.key), to, row.field_for(surface::SurfaceKind::any));
                 if constexpr (std::is_same_v<decltype(to), std::string&>)
                     if (row.more.form == request::Form::file) to = beside_scene(source, to);
             });
@@ -78,9 +79,10 @@ Measured read_from(Source& source, const Section& surface, const ProgressHook& p
 }
 
 /// Puts on record what was measured of the face that the scene calls \p place.
-void record_measured(Source& source, const MeasuredSurface& measured, const std::string& place) {
-    for (const ParameterLine& line : parameter_lines(measured))
-        source.record(place + "." + line.name + " (measured)", shortest(line.measured.value), line.measured.value,
+void record_measured(Source& source, const surface::MeasuredSurface& measured, const std::string& place) {
+    for (const surface::ParameterLine& line : parameter_lines(measured))
+        source.record(place + "." + line.name + " (measured)", document::shortest(line.measured.value),
+                      line.measured.value,
                       line.unit == "/m^2"    ? "1/m^2"
                       : line.name == "theta" ? "rad"
                                              : line.unit);
@@ -127,7 +129,7 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
         return error;
     };
     const auto measured = [&](Parameter which) { return face.measured && face.measured->find(which); };
-    for (const auto& [which, value, error] : face_parameters) {
+    for (const auto& [which, value, error] : detail::face_parameters) {
         const detail::ParameterRow& row = detail::row_of(which);
         const toml::node* node = section.find(row.key);
         if (!node) continue;
@@ -135,8 +137,9 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
             require_error(*node, row.key, surface.find(row.key) || measured(which), field_of(row, true));
         const double half = static_cast<double>(row.high.value - row.low.value) / 2;
         if (row.variation == detail::Variation::between && *(face.errors.*error) > half)
-            source.refuse(*node, section.key(row.key),
-                          "must be at most " + rounded(half, 3) + ", half the range of " + std::string(row.key));
+            source.refuse(
+                *node, section.key(row.key),
+                "must be at most " + document::rounded(half, 3) + ", half the range of " + std::string(row.key));
     }
     for (const std::string_view key : heights)
         if (const toml::node* node = section.find(key))
@@ -166,14 +169,14 @@ std::vector<std::string_view> keys_of_face(const toml::table& table) {
                                        "process"};
     for (const std::string_view key : bearing_keys()) keys.push_back(key);
     if (table.contains("from"))
-        for (const SurfaceOptionRow& row : surface_option_table()) keys.push_back(row.key);
+        for (const surface::SurfaceOptionRow& row : surface::surface_option_table()) keys.push_back(row.key);
     else
         for (const std::string_view key : roughness_keys()) keys.push_back(key);
     return keys;
 }
 
 /// Puts on record what follows from numbers of other names, at the place of these, and R and D_p of the moments.
-void record_following(Source& source, const Section& surface, const Face& face,
+void record_following(Source& source, const Section& surface, const detail::Face& face,
                       const std::vector<Following>& following) {
     for (auto number = following.rbegin(); number != following.rend(); ++number) {
         const detail::ParameterRow& row = detail::row_of(number->which);
@@ -191,7 +194,7 @@ void record_following(Source& source, const Section& surface, const Face& face,
 
 /// The parameters that \p surface writes.
 void read_parameters(Source& source, const Section& surface, JointFace& face) {
-    for (const auto& [which, into, error] : face_parameters) {
+    for (const auto& [which, into, error] : detail::face_parameters) {
         const detail::ParameterRow& row = detail::row_of(which);
         if (!face.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
         const toml::node* node = surface.find(row.key);
@@ -203,9 +206,9 @@ void read_parameters(Source& source, const Section& surface, JointFace& face) {
 }
 
 /// The face of \p face; what it lacks is refused at the key of \p surface that it follows from.
-Face face_of_section(const Source& source, const Section& surface, const JointFace& given) {
+detail::Face face_of_section(const Source& source, const Section& surface, const JointFace& given) {
     try {
-        return face_of(given);
+        return detail::face_of(given);
     } catch (const domain_error& error) {
         const std::string key(error.parameter() == "bearing" ? first_bearing_key(surface) : error.parameter());
         if (key.empty()) throw error.with_place(source.place(surface.node()));
@@ -216,8 +219,8 @@ Face face_of_section(const Source& source, const Section& surface, const JointFa
 }
 
 /// Reads the section \p path, the next face of \p scene.
-Face read_face(Source& source, const toml::table& table, const std::string& path, Scene& scene,
-               const ProgressHook& progress) {
+detail::Face read_face(Source& source, const toml::table& table, const std::string& path, Scene& scene,
+                       const ProgressHook& progress) {
     refuse_extremes(source, table, path);
     const Section surface(source, table, path, keys_of_face(table));
     JointFace given;
@@ -235,10 +238,10 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
     read_errors(source, surface, given);
     surface.read([&](auto take) { each_length(given, take); });
     read_bearing(source, surface, given);
-    Face face = face_of_section(source, surface, given);
+    detail::Face face = face_of_section(source, surface, given);
     if (surface.find("Sa"))
-        for (Prior& prior : face.priors)
-            if (prior.origin == Origin::mean_height) prior.origin = Origin::mean_heights;
+        for (detail::Prior& prior : face.priors)
+            if (prior.origin == detail::Origin::mean_height) prior.origin = detail::Origin::mean_heights;
     record_following(source, surface, face, following);
     return face;
 }
@@ -246,14 +249,14 @@ Face read_face(Source& source, const toml::table& table, const std::string& path
 /// The face of \p measured, the only one of \p scene.
 void take_surface(Source& source, const Measured& measured, Scene& scene) {
     record_measured(source, *measured, "surface");
-    scene.face = face_of(JointFace{.measured = found_of(measured)});
+    scene.face = detail::face_of(JointFace{.measured = found_of(measured)});
     scene.measured = {measured};
 }
 
 }  // namespace
 
 void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress) {
-    MeasureOptions options;
+    surface::MeasureOptions options;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
     options.neighbours = source.has_band;
@@ -265,13 +268,13 @@ void read_file_of_surface(Source& source, const std::string& file, Scene& scene,
         if (error.reason().find(options.input.prefix) == std::string_view::npos) throw;
         throw domain_error(std::string(error.what()) + "; --surface reads the JSON that fstiff measure prints");
     }
-    source.record("surface.from", display_name(file) + " (--surface)");
+    source.record("surface.from", document::display_name(file) + " (--surface)");
     take_surface(source, measured, scene);
 }
 
-void take_surface_in_place(Source& source, const MeasuredSurface& measured, Scene& scene) {
+void take_surface_in_place(Source& source, const surface::MeasuredSurface& measured, Scene& scene) {
     source.record("surface.from", measured.file + " (measured before)");
-    take_surface(source, std::make_shared<const MeasuredSurface>(measured), scene);
+    take_surface(source, std::make_shared<const surface::MeasuredSurface>(measured), scene);
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {
@@ -289,7 +292,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     }
     for (const char* name : {"upper", "lower"})
         scene.faces.push_back(read_face(source, surface.subtable(name), surface.key(name), scene, progress));
-    const Face &upper = scene.faces.front(), &lower = scene.faces.back();
+    const detail::Face &upper = scene.faces.front(), &lower = scene.faces.back();
     const std::string no_sum = no_sum_of_maps(upper, lower);
     scene.shifts = 4;
     if (const toml::node* node = surface.find("shifts")) {
@@ -301,7 +304,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     scene.face = source.located(table, [&] { return detail::sum_of_faces(upper, lower, scene.shifts, scene.seed); });
     for (const detail::ParameterRow& row : detail::surface_parameter_table)
         if (const auto value = scene.face.value(row.parameter))
-            source.record(surface.key(row.key) + " (of the sum)", shortest(*value), *value, row.unit);
+            source.record(surface.key(row.key) + " (of the sum)", document::shortest(*value), *value, row.unit);
     if (upper.map && lower.map && !no_sum.empty())
         scene.warnings.push_back("the sum of the two maps, which laws of a map need, is not computed: " + no_sum);
 }

@@ -57,14 +57,14 @@ void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
 }
 
 /// Warning about a Hurst exponent and a fractal dimension that contradict each other.
-void warn_of_hurst(const Face& face, const std::string& path, std::vector<std::string>& warnings) {
+void warn_of_hurst(const detail::Face& face, const std::string& path, std::vector<std::string>& warnings) {
     const auto& dimension = face.parameters.fractal_dimension;
     if (!face.hurst || !dimension) return;
     const double of_dimension = 2 - dimension->value, error = dimension->error;
     if (std::abs(*face.hurst - of_dimension) <= std::max(0.05, 2 * error)) return;
-    warnings.push_back(path + ".hurst = " + shortest(*face.hurst) + " contradicts the fractal dimension " +
-                       rounded(dimension->value) + ", of which H = 2 - D is " + rounded(of_dimension, 3) +
-                       ": hybrid and persson take hurst, the fractal laws D");
+    warnings.push_back(path + ".hurst = " + document::shortest(*face.hurst) + " contradicts the fractal dimension " +
+                       document::rounded(dimension->value) + ", of which H = 2 - D is " +
+                       document::rounded(of_dimension, 3) + ": hybrid and persson take hurst, the fractal laws D");
 }
 
 /// Warns of rms gradients that no surface has, unless the warnings of what was measured do.
@@ -76,7 +76,7 @@ void warn_of_gradients(Scene& scene) {
                                                        MeasuredConcern::implausible_gradient) > 0;
         const auto wrong = told ? std::nullopt : implausible_gradient(scene, *face);
         const std::string line =
-            wrong ? gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->source)]) : "";
+            wrong ? surface::gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->source)]) : "";
         if (told || !line.empty()) scene.implausible = true;
         if (!line.empty()) scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
     }
@@ -84,16 +84,16 @@ void warn_of_gradients(Scene& scene) {
 
 /// Whether three lines of \p text hold numbers alone, as those of a trace or a map do.
 bool holds_numbers(std::string_view text) {
-    std::size_t found = 0;
-    for (std::size_t begin = 0; begin < text.size() && found < 3;) {
+    std::size_t count = 0;
+    for (std::size_t begin = 0; begin < text.size() && count < 3;) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view line = text.substr(begin, end - begin);
         if (line.find_first_of("0123456789") != std::string_view::npos &&
             line.find_first_not_of("0123456789+-.eE,; \t\r") == std::string_view::npos)
-            ++found;
+            ++count;
         begin = end + 1;
     }
-    return found == 3;
+    return count == 3;
 }
 
 /// Whether \p text, which is not valid TOML, may be a measured surface: numbers, the JSON of fstiff measure, or binary.
@@ -124,7 +124,7 @@ toml::table parse_scene(const std::string& text, const std::string& file) {
 
 Scene read_scene(const std::string& text, const SceneSource& from) {
     Scene scene = read_table(parse_scene(text, from.name), from, text == builtin_scene);
-    scene.sha256 = sha256(text);
+    scene.sha256 = document::sha256(text);
     return scene;
 }
 
@@ -135,13 +135,13 @@ bool needs_dimension_of_maps(const toml::table& root) {
     const toml::array* names = root["contact"]["laws"].as_array();
     if (!names || root["persson"]["spectrum"]) return true;
     return std::any_of(names->begin(), names->end(), [](const toml::node& name) {
-        const Law* law = find_law(name.value_or(std::string_view()));
+        const detail::Law* law = detail::find_law(name.value_or(std::string_view()));
         return !law || law->needs_dimension;
     });
 }
 
 /// The key of \p which in a scene, and its value in \p face.
-std::pair<std::string_view, double> key_and_value(const Face& face, Unknown which) {
+std::pair<std::string_view, double> key_and_value(const detail::Face& face, Unknown which) {
     switch (which) {
         case Unknown::height: return {"rms_height", face.parameters.rms_height.value};
         case Unknown::gradient: return {"rms_gradient", *face.rms_gradient};
@@ -163,7 +163,7 @@ void take_assumed_numbers(Source& source, Scene& scene) {
     const bool one_face = scene.faces.empty();
     const std::vector<NamedFace> faces = named_faces(scene);
     for (const auto& [place, prior] : felt_priors(scene, scene.laws)) {
-        if (prior->origin == Origin::measurement) continue;
+        if (prior->origin == detail::Origin::measurement) continue;
         const NamedFace& named = faces[place];
         const auto [end, value] = key_and_value(*named.face, prior->which);
         const std::string key = "surface." + (one_face ? "" : std::string(named.name) + ".") + std::string(end);
@@ -190,7 +190,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (const auto* name = top.find("name"))
         scene.name = source.text(*name, "name");
     else
-        scene.name = name_of_path(path_of(file).stem());
+        scene.name = document::name_of_path(document::path_of(file).stem());
     const bool replaced = from.measured || !surface.empty();
     if (from.surface_of) {
         scene.face = from.surface_of->face;
@@ -206,7 +206,9 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
             read_file_of_surface(source, surface, scene, from.progress);
         // no longer what the scene was named for
         const std::string& measured = scene.measured.front()->file;
-        scene.name = measured.find(',') == std::string::npos ? name_of_path(path_of(measured).filename()) : measured;
+        scene.name = measured.find(',') == std::string::npos
+                         ? document::name_of_path(document::path_of(measured).filename())
+                         : measured;
     }
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);

@@ -33,7 +33,7 @@ struct Source : request::Source {
 /// Measures the file that --surface names, or reads what fstiff measure made of it.
 void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress);
 /// \p measured in place of [surface].
-void take_surface_in_place(Source& source, const MeasuredSurface& measured, Scene& scene);
+void take_surface_in_place(Source& source, const surface::MeasuredSurface& measured, Scene& scene);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
 /// The bodies of \p table, steel where there is none, and the waves that meet the contact.
@@ -47,7 +47,7 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
 /// The keys of a bearing curve, the first of them that is there, and what they make of \p of.
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
 [[nodiscard]] std::string first_bearing_key(const Section& surface);
-void read_bearing(Source& source, const Section& surface, JointFace& of);
+void read_bearing(Source& source, const Section& surface, JointFace& face);
 /// A number that follows from one of another name, and where it belongs among Source::inputs.
 struct Following {
     std::size_t place;
@@ -57,7 +57,7 @@ struct Following {
 /// The keys that give height and gradient by other names than rms_height and rms_gradient, and what they make of \p
 /// of, which is not measured.
 [[nodiscard]] std::vector<std::string_view> roughness_keys();
-[[nodiscard]] std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& of);
+[[nodiscard]] std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& face);
 /// Refuses Rz and its like in \p table, the section \p path.
 void refuse_extremes(const Source& source, const toml::table& table, const std::string& path);
 

@@ -8,6 +8,9 @@
 #include <cmath>
 
 namespace fstiff::scene {
+
+using detail::Lack, detail::Origin;
+
 std::vector<NamedFace> named_faces(const Scene& scene) {
     const auto measured = [&](std::size_t i) { return i < scene.measured.size() ? scene.measured[i].get() : nullptr; };
     if (scene.faces.empty()) return {{"surface", &scene.face, measured(0)}};
@@ -15,34 +18,34 @@ std::vector<NamedFace> named_faces(const Scene& scene) {
 }
 
 std::vector<Assumed> assumed(const Scene& scene) {
-    std::vector<Assumed> all;
+    std::vector<Assumed> assumptions;
     const bool of_map = scene.face.map && scene.face.spectrum_of_map;
     if (of_map ||
-        std::none_of(scene.laws.begin(), scene.laws.end(), [](const Law* law) { return law->needs_spectrum; }))
-        return all;
+        std::none_of(scene.laws.begin(), scene.laws.end(), [](const detail::Law* law) { return law->needs_spectrum; }))
+        return assumptions;
     if (!scene.face.hurst) {
         const double hurst = hurst_exponent(scene.face),
                      least = detail::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
-        all.push_back({"hurst", "H",
-                       hurst == least           ? "of a band as wide as what was measured"
-                       : scene.face.dimension() ? "2 - D"
-                                                : "assumed, since D is not known",
-                       hurst});
+        assumptions.push_back({"hurst", "H",
+                               hurst == least           ? "of a band as wide as what was measured"
+                               : scene.face.dimension() ? "2 - D"
+                                                        : "assumed, since D is not known",
+                               hurst});
     }
     if (!scene.face.alpha)
-        all.push_back({"alpha", "alpha",
-                       scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
-                       spectral_moments(scene.face).bandwidth()});
-    return all;
+        assumptions.push_back({"alpha", "alpha",
+                               scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
+                               spectral_moments(scene.face).bandwidth()});
+    return assumptions;
 }
 
 std::vector<NamedFace> measured_files(const Scene& scene) {
-    std::vector<NamedFace> all = named_faces(scene);
-    std::erase_if(all, [](const NamedFace& named_face) { return !named_face.measured; });
-    return all;
+    std::vector<NamedFace> faces = named_faces(scene);
+    std::erase_if(faces, [](const NamedFace& named_face) { return !named_face.measured; });
+    return faces;
 }
 
-std::string phrase_of(const Prior& prior, const Face& face) {
+std::string phrase_of(const detail::Prior& prior, const detail::Face& face) {
     const auto name = [&]() -> std::string_view {
         switch (prior.which) {
             case Unknown::height: return prior.origin == Origin::mean_height ? "Ra/Rq" : "Sa/Sq";
@@ -68,22 +71,22 @@ std::string phrase_of(const Prior& prior, const Face& face) {
     };
     const auto& [low, middle, high] = prior.range;
     if (prior.origin == Origin::measurement) return "";
-    return std::string(name()) + " " + rounded(middle, 2) + " (" + rounded(low, 2) + " to " + rounded(high, 2) + "), " +
-           from();
+    return std::string(name()) + " " + document::rounded(middle, 2) + " (" + document::rounded(low, 2) + " to " +
+           document::rounded(high, 2) + "), " + from();
 }
 
 std::string phrase_of_hardness(const Scene& scene) {
     const auto& [low, middle, high] = *scene.hardness_range;
     const auto name = [](const NamedMaterial* material) { return std::string(material ? material->name : ""); };
     const std::string upper = name(scene.upper_name), lower = name(scene.lower_name);
-    return "hardness " + with_unit(middle, "Pa", 2) + " (" + with_unit(low, "Pa", 2) + " to " +
-           with_unit(high, "Pa", 2) + "), of " +
+    return "hardness " + document::with_unit(middle, "Pa", 2) + " (" + document::with_unit(low, "Pa", 2) + " to " +
+           document::with_unit(high, "Pa", 2) + "), of " +
            (upper.empty() || lower.empty() ? "the softer body"
             : upper == lower               ? upper
                                            : "the softer of " + upper + " and " + lower);
 }
 
-std::string missing_phrase(const Face& face) {
+std::string missing_phrase(const detail::Face& face) {
     const Eigen::Index missing = face.map ? missing_points(*face.map) : 0;
     if (missing == 0) return "";
     return std::to_string(missing) + (missing == 1 ? " point is" : " points are") +
@@ -93,7 +96,7 @@ std::string missing_phrase(const Face& face) {
 namespace {
 
 /// Why \p face has no spectrum, by \p lack.
-std::string no_spectrum(const Face& face, Lack lack) {
+std::string no_spectrum(const detail::Face& face, Lack lack) {
     switch (lack) {
         case Lack::points: return missing_phrase(face);
         case Lack::small_map: return "the map has fewer than 4 points a side";
@@ -103,7 +106,8 @@ std::string no_spectrum(const Face& face, Lack lack) {
             return "the moments of rms_height, R, D_p and rms_gradient are beyond the range of double precision; these "
                    "numbers must be less extreme";
         default:
-            return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " + rounded(spectral_moments(face).bandwidth(), 3) +
+            return "rms_height, R and D_p make alpha = m0 m4/m2^2 = " +
+                   document::rounded(spectral_moments(face).bandwidth(), 3) +
                    ", but isotropic surfaces have more than 1.5; set " +
                    (face.rms_gradient ? "surface.alpha" : "surface.rms_gradient and surface.alpha");
     }
@@ -111,7 +115,7 @@ std::string no_spectrum(const Face& face, Lack lack) {
 
 }  // namespace
 
-std::string refusal_of(const Law& law, const Scene& scene) {
+std::string refusal_of(const detail::Law& law, const Scene& scene) {
     const std::string name(scene.upper_name ? scene.upper_name->name : "");
     const std::string section = name.empty() ? "" : "; name = \"" + name + "\" in that section keeps the rest";
     switch (const Lack lack = lack_of(law, scene, scene.at_separations)) {
@@ -138,12 +142,12 @@ std::string refusal_of(const Law& law, const Scene& scene) {
     }
 }
 
-std::vector<const Law*> offered_laws(const Scene& scene) {
+std::vector<const detail::Law*> offered_laws(const Scene& scene) {
     if (!scene.best) return scene.laws;
-    std::vector<const Law*> all;
-    for (const Law& law : laws())
-        if (refusal_of(law, scene).empty()) all.push_back(&law);
-    return all;
+    std::vector<const detail::Law*> laws;
+    for (const detail::Law& law : detail::laws())
+        if (refusal_of(law, scene).empty()) laws.push_back(&law);
+    return laws;
 }
 
 std::vector<std::size_t> points_of_answer(const Scene& scene) {
@@ -164,16 +168,16 @@ std::vector<std::size_t> points_of_answer(const Scene& scene) {
     return chosen;
 }
 
-Request request_of(const Scene& scene) {
-    Request request{.points = scene.points,
-                    .at_separations = scene.at_separations,
-                    .answered = points_of_answer(scene),
-                    .approach = scene.asks(CurveQuantity::approach),
-                    .growth = scene.asks(CurveQuantity::loss_factor),
-                    .seating = scene.seating,
-                    .samples = scene.samples,
-                    .seed = scene.seed,
-                    .solves_map = scene.solves_map};
+detail::Request request_of(const Scene& scene) {
+    detail::Request request{.points = scene.points,
+                            .at_separations = scene.at_separations,
+                            .answered = points_of_answer(scene),
+                            .approach = scene.asks(CurveQuantity::approach),
+                            .growth = scene.asks(CurveQuantity::loss_factor),
+                            .seating = scene.seating,
+                            .samples = scene.samples,
+                            .seed = scene.seed,
+                            .solves_map = scene.solves_map};
     if (scene.best) return request;
     request.laws = scene.laws;
     request.quantities = Quantity::pressure | Quantity::separation;

@@ -3,9 +3,10 @@
 // A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
 // docs/scene.md. results.hpp computes it.
 
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/problem.hpp>
 #include "request/input.hpp"
 #include "scene/column.hpp"
-#include "scene/joint.hpp"
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/asperity/named_materials.hpp>
@@ -41,13 +42,13 @@ struct Range {
 };
 
 /// A joint, what is asked of it, and the text that both come from.
-struct Scene : Problem {
+struct Scene : detail::Problem {
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene
 
     /// Of each rough face; null where it was not measured.
-    std::vector<std::shared_ptr<const MeasuredSurface>> measured;
+    std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured;
     int shifts = 1;  ///< of the lower map over the upper one
     std::vector<std::string> warnings;
     bool implausible = false;  ///< some face has an rms gradient that no surface has: a unit of length is likely wrong
@@ -64,7 +65,7 @@ struct Scene : Problem {
     bool is_joint = false;       ///< a force or a washer is given: K [N/m] and the approach are asked for
     double seating = 1e3;        ///< the approach is 0 at this pressure [Pa]
     std::string points_where;    ///< file, line and key for messages
-    std::vector<const Law*> laws;
+    std::vector<const detail::Law*> laws;
     bool best = false;  ///< no law is named: `laws` is the one of the answer
     bool solves_map =
         true;           ///< the answer takes boundary elements of a map; of a sweep it does not, for they take seconds
@@ -92,8 +93,8 @@ struct Scene : Problem {
 
 struct NamedFace {
     std::string_view name;
-    const Face* face;
-    const MeasuredSurface* measured;  ///< null where it was not
+    const detail::Face* face;
+    const surface::MeasuredSurface* measured;  ///< null where it was not
 };
 /// Every rough face of \p scene, called surface, or upper and lower; and those that were measured.
 [[nodiscard]] std::vector<NamedFace> named_faces(const Scene& scene);
@@ -111,28 +112,29 @@ struct Assumed {
 /// "hardness 2.6 GPa (1.2 to 9.5) of steel", where it was assumed.
 [[nodiscard]] std::string phrase_of_hardness(const Scene& scene);
 /// "alpha 8 (2 to 50), of any process": what was assumed of \p face; empty of what was measured.
-[[nodiscard]] std::string phrase_of(const Prior& prior, const Face& face);
+[[nodiscard]] std::string phrase_of(const detail::Prior& prior, const detail::Face& face);
 /// "3 points are missing; fill = true ... fills them": of the map of a face, empty where none is.
-[[nodiscard]] std::string missing_phrase(const Face& face);
+[[nodiscard]] std::string missing_phrase(const detail::Face& face);
 
 /// The points that the answer of a table and boundary elements are of, in their order: all up to twelve or of a list;
 /// else the ends and the decades.
 [[nodiscard]] std::vector<std::size_t> points_of_answer(const Scene& scene);
 /// What \p scene asks of its joint.
-[[nodiscard]] Request request_of(const Scene& scene);
+[[nodiscard]] detail::Request request_of(const Scene& scene);
 
 /// Why \p law cannot be computed of \p scene; empty where it can.
-[[nodiscard]] std::string refusal_of(const Law& law, const Scene& scene);
+[[nodiscard]] std::string refusal_of(const detail::Law& law, const Scene& scene);
 /// The laws that may be asked of \p scene by name: those that it names; where it names none, all that can be computed.
-[[nodiscard]] std::vector<const Law*> offered_laws(const Scene& scene);
+[[nodiscard]] std::vector<const detail::Law*> offered_laws(const Scene& scene);
 
 /// Where a scene comes from.
 struct SceneSource {
     std::string name;  ///< how messages call the text; files of the scene are searched next to it
     std::string
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
-    ProgressHook progress{};                    ///< called while a surface is measured
-    const MeasuredSurface* measured = nullptr;  ///< in place of a file of the surface, where it was measured already
+    ProgressHook progress{};  ///< called while a surface is measured
+    const surface::MeasuredSurface* measured =
+        nullptr;  ///< in place of a file of the surface, where it was measured already
     const Scene* surface_of =
         nullptr;  ///< not null: a scene with the very [surface] of this one, which is not read again
     const std::set<std::string>* in_si = nullptr;  ///< not null: keys whose numbers are in SI, without a unit

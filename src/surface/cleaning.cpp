@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <variant>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
-std::string of(std::size_t count, std::size_t all) {
-    return std::to_string(count) + " of " + std::to_string(all) + " points";
+std::string share_of_points(std::size_t count, std::size_t total) {
+    return std::to_string(count) + " of " + std::to_string(total) + " points";
 }
 
 /// \throws domain_error with the name of the option unless points from \p from to \p to lie on a line of \p points at
@@ -23,9 +23,9 @@ std::string of(std::size_t count, std::size_t all) {
 std::size_t points_of(double from, double to, std::size_t points, double step, const std::string& name) {
     const auto range = detail::points_between(from, to, points, step);
     if (!range)
-        throw domain_error(name + ": from " + shown_length(from) + " to " + shown_length(to) +
+        throw domain_error(name + ": from " + document::shown_length(from) + " to " + document::shown_length(to) +
                            " must rise, and lie between 0 and the length of " +
-                           shown_length(static_cast<double>(points - 1) * step));
+                           document::shown_length(static_cast<double>(points - 1) * step));
     if (range->count == 0) throw domain_error(name + ": no point lies between its lengths; must hold some");
     return range->count;
 }
@@ -47,7 +47,7 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
     const std::vector<double> box = parse_lengths(options.crop, name);
     const std::size_t wanted = surface.is_profile() ? 2 : 4;
     if (box.size() != wanted)
-        throw option_error(
+        throw document::option_error(
             name + " = \"" + options.crop.text("m") + "\": must be " +
             (wanted == 2 ? "two lengths of a profile, \"x0,x1\"" : "four lengths of a map, \"x0,x1,y0,y1\""));
     const double dx = surface.is_profile() ? surface.profile().spacing : surface.map().dx;
@@ -59,7 +59,7 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
 
 /// Zeros and ones of a text, one row a line, or of a .npy.
 HeightMap<double>::Array read_mask(const std::string& file) {
-    const std::string bytes = read_all(file), name = display_name(file);
+    const std::string bytes = document::read_all(file), name = document::display_name(file);
     if (const io::detail::Reader& npy = io::detail::reader_of(io::SurfaceFormat::npy); npy.begins(bytes)) {
         io::SurfaceOptions how;
         how.dx = how.dy = how.spacing = 1;
@@ -98,7 +98,7 @@ PointMask mask_of(const SurfaceOptions& options, bool profile, const Extent& ext
     const auto columns = static_cast<Eigen::Index>(extent.columns), rows = static_cast<Eigen::Index>(extent.rows);
     const bool fits = profile ? marks.size() == columns && (marks.rows() == 1 || marks.cols() == 1)
                               : marks.rows() == rows && marks.cols() == columns;
-    const std::string name = display_name(options.mask);
+    const std::string name = document::display_name(options.mask);
     if (!fits)
         throw domain_error(name + ": the mask has " + std::to_string(marks.cols()) + " x " +
                            std::to_string(marks.rows()) + " numbers; must have those of the surface, " +
@@ -113,24 +113,24 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
     const std::size_t points = report.columns * report.rows;
     if (!options.crop.empty())
         details.push_back("crop: " +
-                          (profile ? of(report.columns, report.columns_read)
+                          (profile ? share_of_points(report.columns, report.columns_read)
                                    : std::to_string(report.columns) + " x " + std::to_string(report.rows) + " of " +
                                          std::to_string(report.columns_read) + " x " +
                                          std::to_string(report.rows_read) + " points") +
                           " kept (" + options.crop.text("m") + ")");
     if (!options.mask.empty())
-        details.push_back("mask: " + of(report.masked, points) + " became missing (" + display_name(options.mask) +
-                          ")");
+        details.push_back("mask: " + share_of_points(report.masked, points) + " became missing (" +
+                          document::display_name(options.mask) + ")");
     if (report.aligned > 0)
         details.push_back("align: " + std::to_string(report.aligned) + " lines along " +
                           std::string(name_of(report.scan_axis)) + " aligned (" + std::string(name_of(options.align)) +
-                          "); the steps between them had " + shown_length(report.line_step, 3) + " rms");
+                          "); the steps between them had " + document::shown_length(report.line_step, 3) + " rms");
     if (options.spikes != 0)
-        details.push_back("spikes: " + of(report.spikes, points) + " became missing, beyond " +
+        details.push_back("spikes: " + share_of_points(report.spikes, points) + " became missing, beyond " +
                           detail::shortest_text(options.spikes) +
                           " standard deviations from the median of their neighbours");
     if (options.fill)
-        details.push_back("fill: " + of(report.filled, points) + " filled " +
+        details.push_back("fill: " + share_of_points(report.filled, points) + " filled " +
                           (profile ? "by straight lines" : "by Laplace's equation") +
                           (report.filled > 0 ? ", the largest hole " + std::to_string(report.largest_hole) : ""));
 }
@@ -139,17 +139,18 @@ void describe(const SurfaceOptions& options, const CleaningReport& report, bool 
 
 void clean(const SurfaceOptions& options, io::Surface& surface) {
     const bool profile = surface.is_profile();
-    Cleaning<double> how;
+    Cleaning<double> cleaning;
     Extent extent = extent_of(surface);
-    if (!options.crop.empty()) how.crop = crop_of(options, surface, extent);
-    if (!options.mask.empty()) how.mask = mask_of(options, profile, extent);
+    if (!options.crop.empty()) cleaning.crop = crop_of(options, surface, extent);
+    if (!options.mask.empty()) cleaning.mask = mask_of(options, profile, extent);
     if (options.spikes != 0)
         detail::require(options.spikes >= detail::min_spike_limit && options.spikes <= detail::max_spike_limit,
                         options.name("spikes").c_str(), options.spikes, "between 3 and 1000 standard deviations");
-    how.align = options.align, how.scan_axis = options.scan_axis;
-    how.spikes = options.spikes;
-    how.fill = options.fill;
-    const CleaningReport report = std::visit([&](auto& heights) { return detail::clean(heights, how); }, surface.data);
+    cleaning.align = options.align, cleaning.scan_axis = options.scan_axis;
+    cleaning.spikes = options.spikes;
+    cleaning.fill = options.fill;
+    const CleaningReport report =
+        std::visit([&](auto& heights) { return detail::clean(heights, cleaning); }, surface.data);
     describe(options, report, profile, surface.record.details);
 }
 
@@ -159,11 +160,12 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
     constexpr Eigen::Index most = 1024;
     std::vector<std::string> hints;
     if (options.spikes != 0) return hints;
-    std::size_t found = 0;
+    std::size_t spikes = 0;
     if (surface.is_profile()) {
         if (surface.profile().size() < 16) return hints;
         Profile<double> copy = surface.profile();
-        if (detail::find_spikes(copy, sure, false).removed > 0) found = detail::find_spikes(copy, limit, false).removed;
+        if (detail::find_spikes(copy, sure, false).removed > 0)
+            spikes = detail::find_spikes(copy, limit, false).removed;
     } else {
         const HeightMap<double>& map = surface.map();
         if (map.rows() < 16 || map.columns() < 16) return hints;
@@ -171,14 +173,14 @@ std::vector<std::string> cleaning_hints(const SurfaceOptions& options, const io:
         HeightMap<double> part{map.heights.topLeftCorner(rows, columns), map.dx, map.dy};
         if (detail::find_spikes(part, sure, false).removed > 0) {
             if (part.size() < map.size()) part = map;
-            found = detail::find_spikes(part, limit, false).removed;
+            spikes = detail::find_spikes(part, limit, false).removed;
         }
     }
-    if (found > 0)
-        hints.push_back((found == 1 ? "1 point deviates" : std::to_string(found) + " points deviate") +
+    if (spikes > 0)
+        hints.push_back((spikes == 1 ? "1 point deviates" : std::to_string(spikes) + " points deviate") +
                         " by over 20 sigma, like spikes; " + options.name("spikes") +
-                        (options.prefix.empty() ? " = 20" : " 20") + " removes " + (found == 1 ? "it" : "them"));
+                        (options.prefix.empty() ? " = 20" : " 20") + " removes " + (spikes == 1 ? "it" : "them"));
     return hints;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -4,28 +4,28 @@
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 /// Where the index of lambda_s comes from.
 std::string source_of_index(const CutOffs<double>& cut_offs) {
     switch (cut_offs.index_source) {
-        case IndexSource::tip: return "of a tip of " + shown_length(cut_offs.tip_radius);
+        case IndexSource::tip: return "of a tip of " + document::shown_length(cut_offs.tip_radius);
         case IndexSource::resolution: return "of the resolution";
         case IndexSource::step: break;
     }
-    return "of five steps of " + shown_length(cut_offs.step);
+    return "of five steps of " + document::shown_length(cut_offs.step);
 }
 
 /// Why lambda_s is so, or why there is none; empty where it was given.
 std::string why_lambda_s(const CutOffs<double>& cut_offs) {
-    const std::string index = shown_length(cut_offs.index), why = source_of_index(cut_offs);
+    const std::string index = document::shown_length(cut_offs.index), why = source_of_index(cut_offs);
     switch (cut_offs.why_s) {
         case LambdaSReason::given: break;
         case LambdaSReason::by_table: return "by the table, the index " + why;
         case LambdaSReason::too_short:
             return "as measured; " + std::to_string(detail::lambda_s_of_length) + " of " + index + ", the index " +
-                   why + ", do not fit the length of " + shown_length(cut_offs.length);
+                   why + ", do not fit the length of " + document::shown_length(cut_offs.length);
         case LambdaSReason::not_below_lambda_c:
             return "as measured; " + index + ", the index " + why + ", is not below lambda_c";
     }
@@ -34,8 +34,8 @@ std::string why_lambda_s(const CutOffs<double>& cut_offs) {
 
 /// Why lambda_c is so, or why there is none; empty where it was given.
 std::string why_lambda_c(const CutOffs<double>& cut_offs) {
-    const std::string of_ra = "by the table, of Ra " + shown_length(cut_offs.mean_deviation, 3);
-    const std::string length = shown_length(cut_offs.length);
+    const std::string of_ra = "by the table, of Ra " + document::shown_length(cut_offs.mean_deviation, 3);
+    const std::string length = document::shown_length(cut_offs.length);
     switch (cut_offs.why_c) {
         case CutOffReason::given: break;
         case CutOffReason::roughness: return of_ra;
@@ -44,7 +44,7 @@ std::string why_lambda_c(const CutOffs<double>& cut_offs) {
         case CutOffReason::step: return of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
         case CutOffReason::too_short:
             return "the length of " + length + " does not hold five of " +
-                   shown_length(detail::cut_off_table.front().lambda_c) + ", the shortest of the table";
+                   document::shown_length(detail::cut_off_table.front().lambda_c) + ", the shortest of the table";
         case CutOffReason::too_coarse:
             return "those of the table that the length of " + length + " holds are too short for the step";
         case CutOffReason::form_alone: return "the form alone bounds the long waves";
@@ -70,13 +70,13 @@ Instrument instrument_of(const SurfaceOptions& options) {
 }
 
 fstiff::MeasureOptions<double> library_options(const SurfaceOptions& options) {
-    fstiff::MeasureOptions<double> how;
-    how.lambda_s = parse_cut_off(options.lambda_s, options.name("lambda_s"));
-    how.lambda_c = parse_cut_off(options.lambda_c, options.name("lambda_c"));
-    how.filter = options.filter;
+    fstiff::MeasureOptions<double> measuring;
+    measuring.lambda_s = parse_cut_off(options.lambda_s, options.name("lambda_s"));
+    measuring.lambda_c = parse_cut_off(options.lambda_c, options.name("lambda_c"));
+    measuring.filter = options.filter;
     const Instrument instrument = instrument_of(options);
-    how.tip_radius = instrument.tip_radius, how.resolution = instrument.resolution;
-    return how;
+    measuring.tip_radius = instrument.tip_radius, measuring.resolution = instrument.resolution;
+    return measuring;
 }
 
 void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOptions<double>& given, double step,
@@ -90,14 +90,15 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
     const int steps = refused->long_waves ? detail::min_steps_of_lambda_c : detail::min_steps_of_lambda_s;
     switch (refused->why) {
         case detail::CutOffRefusal::below_steps:
-            throw domain_error(quoted + " cannot be held by this file, whose points are " + shown_length(step) +
-                               " apart: must be at least " + std::to_string(steps) + " steps, " +
-                               shown_length(refused->limit));
+            throw domain_error(quoted + " cannot be held by this file, whose points are " +
+                               document::shown_length(step) + " apart: must be at least " + std::to_string(steps) +
+                               " steps, " + document::shown_length(refused->limit));
         case detail::CutOffRefusal::above_length:
-            throw domain_error(quoted + ": must be at most the length of the surface, " + shown_length(length));
+            throw domain_error(quoted + ": must be at most the length of the surface, " +
+                               document::shown_length(length));
         case detail::CutOffRefusal::not_below_lambda_c:
-            throw domain_error(name + " = " + shown_length(refused->given) + ": must be less than " + long_name + ", " +
-                               shown_length(refused->limit));
+            throw domain_error(name + " = " + document::shown_length(refused->given) + ": must be less than " +
+                               long_name + ", " + document::shown_length(refused->limit));
     }
 }
 
@@ -105,13 +106,14 @@ std::string sentence_of(const CutOffs<double>& cut_offs) {
     const std::string why_s = why_lambda_s(cut_offs), why_c = why_lambda_c(cut_offs);
     const std::string s = why_s.empty() ? "" : why_s + "; ", c = why_c.empty() ? "" : why_c + "; ";
     const auto &lambda_s = cut_offs.lambda_s, &lambda_c = cut_offs.lambda_c;
-    return (lambda_s ? "lambda_s " + shown_length(*lambda_s) + " (" + s + "Gaussian, after the form was removed)"
-                     : "lambda_s none (" + (why_s.empty() ? "as measured" : why_s) + ")") +
+    return (lambda_s
+                ? "lambda_s " + document::shown_length(*lambda_s) + " (" + s + "Gaussian, after the form was removed)"
+                : "lambda_s none (" + (why_s.empty() ? "as measured" : why_s) + ")") +
            ", " +
-           (lambda_c ? "lambda_c " + shown_length(*lambda_c) + " (" + c +
+           (lambda_c ? "lambda_c " + document::shown_length(*lambda_c) + " (" + c +
                            (cut_offs.filter == CutOffFilter::robust ? "robust Gaussian" : "Gaussian") + ", after " +
                            (lambda_s ? "lambda_s" : "the form was removed") + left_out(cut_offs.robust) + ")"
                      : "lambda_c none" + (why_c.empty() ? "" : " (" + why_c + ")"));
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

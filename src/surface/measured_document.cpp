@@ -6,16 +6,16 @@
 
 #include <nlohmann/json.hpp>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 using Parsed = nlohmann::ordered_json;
 
 double number_of(const Parsed& object, const char* key, const std::string& place) {
-    const auto found = object.find(key);
-    if (found == object.end() || !found->is_number())
+    const auto entry = object.find(key);
+    if (entry == object.end() || !entry->is_number())
         throw domain_error(place + "." + key + ": is missing or not a number; must be that of fstiff measure");
-    return found->get<double>();
+    return entry->get<double>();
 }
 
 Measurement<double> measurement_of(const Parsed& object, const std::string& place) {
@@ -24,14 +24,14 @@ Measurement<double> measurement_of(const Parsed& object, const std::string& plac
 }
 
 std::string text_of(const Parsed& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+    const auto entry = object.find(key);
+    return entry != object.end() && entry->is_string() ? entry->get<std::string>() : "";
 }
 
 std::vector<std::string> texts_of(const Parsed& object, const char* key) {
     std::vector<std::string> texts;
-    if (const auto found = object.find(key); found != object.end() && found->is_array())
-        for (const Parsed& item : *found)
+    if (const auto entry = object.find(key); entry != object.end() && entry->is_array())
+        for (const Parsed& item : *entry)
             if (item.is_string()) texts.push_back(item.get<std::string>());
     return texts;
 }
@@ -43,7 +43,7 @@ LongEnd<double> long_end_of(const Parsed& document, const std::string& name) {
     const auto number = [&](const char* key, double most) {
         const double value = number_of(*end, key, name + ": long_end");
         if (!(value >= 0 && value <= most))
-            throw domain_error(name + ": long_end." + key + ": must be from 0 to " + rounded(most));
+            throw domain_error(name + ": long_end." + key + ": must be from 0 to " + document::rounded(most));
         return value;
     };
     return {number("side_m", 1e6),
@@ -62,8 +62,8 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
         throw domain_error(name + ": surface: is missing; must be that of fstiff measure");
     Surface<double> surface;
     const auto cut_off = [&](const char* key) -> std::optional<double> {  // absent from documents of an older fstiff
-        const auto found = document.find(key);
-        if (found == document.end() || found->is_null()) return {};
+        const auto entry = document.find(key);
+        if (entry == document.end() || entry->is_null()) return {};
         return number_of(document, key, name);
     };
     surface.cut_offs.lambda_s = cut_off("lambda_s_m");
@@ -72,9 +72,9 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
         surface.cut_offs.filter = parse<CutOffFilter>(filter, name + ": filter");
     surface.why_no_density = text_of(document, "no_peak_density");
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
-        const auto found = values->find(key);
-        if (found == values->end()) return std::nullopt;
-        return measurement_of(*found, name + ": surface." + key);
+        const auto entry = values->find(key);
+        if (entry == values->end()) return std::nullopt;
+        return measurement_of(*entry, name + ": surface." + key);
     };
     for (const detail::ParameterRow& row : detail::surface_parameter_table) {
         const std::string key(row.key);
@@ -125,20 +125,20 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
     if (const auto version = document.find("schema_version"); version == document.end() || *version != 1)
         throw domain_error(name + ": schema_version must be 1");
     MeasuredSurface surface;
-    Surface<double>& found = surface.found = values_of(document, name);
+    Surface<double>& parameters = surface.found = values_of(document, name);
     if (const auto source = document.find("source"); source != document.end() && source->is_object()) {
         surface.file = text_of(*source, "file");
         surface.sha256 = text_of(*source, "sha256");
         surface.kind = text_of(*source, "kind");
-        found.is_profile = surface.is_profile();
+        parameters.is_profile = surface.is_profile();
         surface.decisions = texts_of(*source, "decisions");
         surface.of_file = texts_of(source->contains("warnings") ? *source : document, "warnings");
     }
     surface.warnings = texts_of(document, "warnings");
     for (const std::string& word : texts_of(document, "concerns"))  // unknown words, of a later version, are left out
-        if (const auto concern = detail::find_named<MeasuredConcern>(word)) found.concerns.push_back(*concern);
-    found.why_no_dimension = text_of(document, "no_fractal_dimension");
-    found.why_no_peaks = text_of(document, "no_r_and_theta");
+        if (const auto concern = detail::find_named<MeasuredConcern>(word)) parameters.concerns.push_back(*concern);
+    parameters.why_no_dimension = text_of(document, "no_fractal_dimension");
+    parameters.why_no_peaks = text_of(document, "no_r_and_theta");
     if (const auto correlation = document.find("correlation_of_errors");
         correlation != document.end() && correlation->is_object()) {
         const auto matrix = correlation->find("matrix");
@@ -147,14 +147,16 @@ MeasuredSurface read_measured_document(const std::string& bytes, const std::stri
                 const bool there = matrix != correlation->end() && matrix->is_array() && i < matrix->size() &&
                                    (*matrix)[i].is_array() && j < (*matrix)[i].size() && (*matrix)[i][j].is_number();
                 if (!there) throw domain_error(name + ": correlation_of_errors.matrix: must be 6 rows of 6 numbers");
-                found.correlation[i][j] = (*matrix)[i][j].get<double>();
+                parameters.correlation[i][j] = (*matrix)[i][j].get<double>();
             }
     }
     if (const auto neighbours = document.find("neighbours"); neighbours != document.end() && neighbours->is_array())
         for (std::size_t k = 0; k < neighbours->size(); ++k)
-            found.neighbours.push_back(values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
-    about_file(name, [&] { detail::SurfaceSampler<double>(found, 0); });  // refuses what no sample could be drawn of
+            parameters.neighbours.push_back(
+                values_of((*neighbours)[k], name + ": neighbours[" + std::to_string(k) + "]"));
+    document::about_file(
+        name, [&] { detail::SurfaceSampler<double>(parameters, 0); });  // refuses what no sample could be drawn of
     return surface;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

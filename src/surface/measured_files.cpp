@@ -11,21 +11,21 @@
 #include <charconv>
 #include <filesystem>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 std::vector<std::string> without_folders(const std::vector<std::string>& names) {
     std::vector<std::string> files;
     for (const std::string& name : names) {
         std::error_code none;
-        if (!std::filesystem::is_directory(path_of(name), none)) {
+        if (!std::filesystem::is_directory(document::path_of(name), none)) {
             files.push_back(name);
             continue;
         }
         std::vector<std::string> inside;
         std::error_code unreadable;
-        for (const auto& entry : std::filesystem::directory_iterator(path_of(name), unreadable))
-            if (entry.is_regular_file(none) && !name_of_path(entry.path().filename()).starts_with('.'))
-                inside.push_back(name_of_path(entry.path()));
+        for (const auto& entry : std::filesystem::directory_iterator(document::path_of(name), unreadable))
+            if (entry.is_regular_file(none) && !document::name_of_path(entry.path().filename()).starts_with('.'))
+                inside.push_back(document::name_of_path(entry.path()));
         if (unreadable) throw file_error(name, "cannot be read: " + unreadable.message());
         if (inside.empty()) throw domain_error(name + ": is a folder without files; must hold files of one surface");
         std::sort(inside.begin(), inside.end());
@@ -36,19 +36,21 @@ std::vector<std::string> without_folders(const std::vector<std::string>& names) 
 
 namespace {
 
-/// \throws domain_error unless \p one can be pooled with \p first; messages call both a \p noun.
-void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, const SurfaceOptions& options,
+/// \throws domain_error unless \p next can be pooled with \p first; messages call both a \p noun.
+void require_alike(const MeasuredSurface& first, const MeasuredSurface& next, const SurfaceOptions& options,
                    const std::string& noun) {
-    const auto shown = [](const std::optional<double>& a) { return a ? shown_length(*a) : std::string("none"); };
+    const auto shown = [](const std::optional<double>& a) {
+        return a ? document::shown_length(*a) : std::string("none");
+    };
     const auto unlike = [&](const std::string& mine, const std::string& other, std::string_view option) {
-        return domain_error(one.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
+        return domain_error(next.file + ": " + mine + first.file + " " + other + "; " + noun + "s of " +
                             std::string(option));
     };
-    const CutOffs<double>&a = one.found.cut_offs, &b = first.found.cut_offs;
-    switch (detail::unlikeness(first.found, one.found)) {
+    const CutOffs<double>&a = next.found.cut_offs, &b = first.found.cut_offs;
+    switch (detail::unlikeness(first.found, next.found)) {
         case detail::Unlikeness::none: return;
         case detail::Unlikeness::kind:
-            throw unlike("is a " + one.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
+            throw unlike("is a " + next.kind + ", and ", "a " + first.kind, "one surface must be of one kind");
         case detail::Unlikeness::lambda_s:
             throw unlike("lambda_s " + shown(a.lambda_s) + ", that of ", shown(b.lambda_s),
                          "one surface must have one " + options.name("lambda_s"));
@@ -56,8 +58,8 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
             throw unlike("lambda_c " + shown(a.lambda_c) + ", that of ", shown(b.lambda_c),
                          "one surface must have one " + options.name("lambda_c"));
         case detail::Unlikeness::step:
-            throw unlike("has points " + shown_length(detail::step_of(one.found)) + " apart, and ",
-                         shown_length(detail::step_of(first.found)),
+            throw unlike("has points " + document::shown_length(detail::step_of(next.found)) + " apart, and ",
+                         document::shown_length(detail::step_of(first.found)),
                          "unlike steps must have one " + options.name("lambda_s"));
     }
 }
@@ -65,8 +67,8 @@ void require_alike(const MeasuredSurface& first, const MeasuredSurface& one, con
 /// Cut-offs that the table chose differently for \p parts become those of all in \p options. Returns whether there are
 /// such.
 bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>& parts) {
-    const auto share = [&](Amount& option, std::optional<double> CutOffs<double>::*of) {
-        const CutOff<double> asked = parse_cut_off(option, ""), shared = detail::shared_cut_off(asked, parts, of);
+    const auto share = [&](Amount& option, std::optional<double> CutOffs<double>::*cut_off) {
+        const CutOff<double> asked = parse_cut_off(option, ""), shared = detail::shared_cut_off(asked, parts, cut_off);
         if (!asked.automatic() || shared.automatic()) return false;
         option = shared.length() ? Amount(*shared.length()) : Amount("none");
         return true;
@@ -77,9 +79,9 @@ bool share_cut_offs(SurfaceOptions& options, const std::vector<Surface<double>>&
 }
 
 std::vector<Surface<double>> found_of(const std::vector<MeasuredSurface>& parts) {
-    std::vector<Surface<double>> all;
-    for (const MeasuredSurface& part : parts) all.push_back(part.found);
-    return all;
+    std::vector<Surface<double>> surfaces;
+    for (const MeasuredSurface& part : parts) surfaces.push_back(part.found);
+    return surfaces;
 }
 
 /// The names of \p files, or the first and how many more.
@@ -90,40 +92,39 @@ std::string names_of(const std::vector<MeasuredSurface>& parts) {
 }
 
 /// Notes common to all of \p parts are given once, the others with the name of the file.
-void gather_warnings(MeasuredSurface& whole) {
+void gather_warnings(MeasuredSurface& pool) {
     const auto count = [&](const std::string& sentence) {
-        return std::count_if(whole.parts.begin(), whole.parts.end(), [&](const MeasuredSurface& part) {
+        return std::count_if(pool.parts.begin(), pool.parts.end(), [&](const MeasuredSurface& part) {
             return std::count(part.warnings.begin(), part.warnings.end(), sentence) > 0;
         });
     };
-    for (const MeasuredSurface& part : whole.parts)
+    for (const MeasuredSurface& part : pool.parts)
         for (const std::string& sentence : part.warnings) {
-            const bool of_all = count(sentence) == std::ssize(whole.parts);
-            if (of_all && &part != &whole.parts.front()) continue;
-            whole.warnings.push_back((of_all ? "" : part.file + ": ") + sentence);
+            const bool of_all = count(sentence) == std::ssize(pool.parts);
+            if (of_all && &part != &pool.parts.front()) continue;
+            pool.warnings.push_back((of_all ? "" : part.file + ": ") + sentence);
             if (std::count(part.of_file.begin(), part.of_file.end(), sentence) > 0)
-                whole.of_file.push_back(whole.warnings.back());
+                pool.of_file.push_back(pool.warnings.back());
         }
 }
 
 MeasuredSurface pooled(std::vector<MeasuredSurface> parts, const std::string& noun) {
-    MeasuredSurface whole;
-    whole.parts = std::move(parts);
-    whole.found = fstiff::pooled(found_of(whole.parts));
+    MeasuredSurface pool;
+    pool.parts = std::move(parts);
+    pool.found = fstiff::pooled(found_of(pool.parts));
     std::string hashes;
-    for (const MeasuredSurface& part : whole.parts) hashes += part.sha256 + "\n";
-    whole.file = names_of(whole.parts);
-    whole.sha256 = sha256(hashes);
-    whole.kind = whole.parts.front().kind;
-    whole.decisions = {std::to_string(whole.parts.size()) + " " + noun + "s pooled, each by its " +
-                           (whole.is_profile() ? "length" : "area") + ": " + names_of(whole.parts),
-                       sentence_of(whole.found.cut_offs),
-                       "errors: those of the " + noun + "s, or of their scatter by Student's t where it is greater"};
-    gather_warnings(whole);
-    for (std::string& line : peak_warnings(whole.found.concerns, whole.found.peaks_counted, whole.found))
-        if (std::count(whole.warnings.begin(), whole.warnings.end(), line) == 0)
-            whole.warnings.push_back(std::move(line));
-    return whole;
+    for (const MeasuredSurface& part : pool.parts) hashes += part.sha256 + "\n";
+    pool.file = names_of(pool.parts);
+    pool.sha256 = document::sha256(hashes);
+    pool.kind = pool.parts.front().kind;
+    pool.decisions = {std::to_string(pool.parts.size()) + " " + noun + "s pooled, each by its " +
+                          (pool.is_profile() ? "length" : "area") + ": " + names_of(pool.parts),
+                      sentence_of(pool.found.cut_offs),
+                      "errors: those of the " + noun + "s, or of their scatter by Student's t where it is greater"};
+    gather_warnings(pool);
+    for (std::string& line : peak_warnings(pool.found.concerns, pool.found.peaks_counted, pool.found))
+        if (std::count(pool.warnings.begin(), pool.warnings.end(), line) == 0) pool.warnings.push_back(std::move(line));
+    return pool;
 }
 
 }  // namespace
@@ -148,9 +149,9 @@ MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const M
     measure_all();
     if (again && share_cut_offs(options.input, found_of(parts))) measure_all();
     for (const MeasuredSurface& part : parts) require_alike(parts.front(), part, options.input, noun);
-    MeasuredSurface whole = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts), noun);
-    whole.warnings.insert(whole.warnings.begin(), copies.begin(), copies.end());
-    return whole;
+    MeasuredSurface pool = parts.size() == 1 ? std::move(parts.front()) : pooled(std::move(parts), noun);
+    pool.warnings.insert(pool.warnings.begin(), copies.begin(), copies.end());
+    return pool;
 }
 
 namespace {
@@ -162,7 +163,7 @@ std::vector<int> numbers_of_list(const std::string& list, const std::string& nam
         int read = -1;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
         if (error != std::errc() || end != text.data() + text.size() || read < 0 || read > most_columns)
-            throw option_error(name + " = \"" + list + "\": must be whole numbers up to " +
+            throw document::option_error(name + " = \"" + list + "\": must be whole numbers up to " +
                                std::to_string(most_columns) + ", such as \"2-180\" or \"2,4,6-9\"");
         return read;
     };
@@ -170,7 +171,7 @@ std::vector<int> numbers_of_list(const std::string& list, const std::string& nam
         const std::size_t dash = std::min(part.find('-'), part.size());
         const int first = number(part.substr(0, dash)),
                   last = dash < part.size() ? number(part.substr(dash + 1)) : first;
-        if (last < first) throw option_error(name + " = \"" + list + "\": the numbers of a range must rise");
+        if (last < first) throw document::option_error(name + " = \"" + list + "\": the numbers of a range must rise");
         for (int n = first; n <= last; ++n) numbers.push_back(n);
     }
     return numbers;
@@ -189,7 +190,7 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
     const std::vector<std::string> files = without_folders(names);
     const SurfaceOptions& input = options.input;
     if (!input.columns.empty() && !input.channels.empty())
-        throw option_error(input.name("columns") + " and " + input.name("channels") +
+        throw document::option_error(input.name("columns") + " and " + input.name("channels") +
                            " are both given; must be one of them");
     const std::string key = !input.columns.empty() ? "columns" : !input.channels.empty() ? "channels" : "";
     std::vector<FilePart> parts;
@@ -203,7 +204,7 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
     std::string file, bytes;  // of the last part
     const auto measure = [&](MeasureOptions of_part, std::size_t i) {
         const FilePart& part = parts[i];
-        if (i == 0 || part.file != file) file = part.file, bytes = read_all(file);
+        if (i == 0 || part.file != file) file = part.file, bytes = document::read_all(file);
         of_part.input.file = file;
         of_part.input.columns.clear(), of_part.input.channels.clear();
         if (key == "columns") of_part.input.column = part.number;
@@ -212,16 +213,17 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
         if (!key.empty()) {
             const std::string which = key.substr(0, key.size() - 1) + " " + std::to_string(part.number);
             measured.file += ", " + which;
-            measured.sha256 = sha256(measured.sha256 + " " + which);
+            measured.sha256 = document::sha256(measured.sha256 + " " + which);
         }
         return measured;
     };
     const bool again = std::count(files.begin(), files.end(), "-") == 0;  // standard input is read once
     if (key.empty()) return measure_parts(options, parts.size(), measure, "file", again);
-    MeasuredSurface whole = measure_parts(options, parts.size(), measure, key.substr(0, key.size() - 1), again);
-    if (files.size() == 1 && !whole.parts.empty())
-        whole.file = display_name(file) + ", " + key + " " + (key == "columns" ? input.columns : input.channels);
-    return whole;
+    MeasuredSurface pool = measure_parts(options, parts.size(), measure, key.substr(0, key.size() - 1), again);
+    if (files.size() == 1 && !pool.parts.empty())
+        pool.file =
+            document::display_name(file) + ", " + key + " " + (key == "columns" ? input.columns : input.channels);
+    return pool;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -10,11 +10,11 @@
 #include <utility>
 #include <variant>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
-bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern one) {
-    return std::find(concerns.begin(), concerns.end(), one) != concerns.end();
+bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern concern) {
+    return std::find(concerns.begin(), concerns.end(), concern) != concerns.end();
 }
 
 double gradient_of(const PreparedProfile<double>& profile) { return profile.rms_gradient; }
@@ -27,40 +27,42 @@ std::string option_text(const SurfaceOptions& options, std::string_view key, con
     return options.name(key) + (options.prefix.empty() ? " = \"" + value + "\"" : " \"" + value + "\"");
 }
 
-/// The crop that keeps the longer part of \p found next to its step, which is passed along x or y.
-std::string crop_at_step(const Surface<double>& found) {
-    const PlainForm<double>& form = found.plain_form;
+/// The crop that keeps the longer part of \p parameters next to its step, which is passed along x or y.
+std::string crop_at_step(const Surface<double>& parameters) {
+    const PlainForm<double>& form = parameters.plain_form;
     std::vector<std::array<double, 2>> box;  // of x, and of y
     const auto add = [&](auto points, double step) { box.push_back({0, static_cast<double>(points - 1) * step}); };
-    if (const auto* line = found.profile.get())
+    if (const auto* line = parameters.profile.get())
         add(line->profile.size(), line->profile.spacing);
     else
-        add(found.map->map.columns(), found.map->map.dx), add(found.map->map.rows(), found.map->map.dy);
+        add(parameters.map->map.columns(), parameters.map->map.dx),
+            add(parameters.map->map.rows(), parameters.map->map.dy);
     auto& [from, to] = box[form.along_y ? 1 : 0];
-    const double edge = std::max(0.02 * to, found.cut_offs.lambda_s.value_or(0));  // the place is known to one part
+    const double edge =
+        std::max(0.02 * to, parameters.cut_offs.lambda_s.value_or(0));  // the place is known to one part
     (2 * form.place > to ? to : from) = form.place + (2 * form.place > to ? -edge : edge);
     std::string text;
     for (const auto& [low, high] : box)
-        text += (text.empty() ? "" : ",") + shown_length(low, 6) + "," + shown_length(high, 6);
+        text += (text.empty() ? "" : ",") + document::shown_length(low, 6) + "," + document::shown_length(high, 6);
     return text;
 }
 
-/// A sentence on the parabola or the step that is most of the mean square height of \p found, and on what removes it;
+/// A sentence on the parabola or the step that is most of the mean square height of \p parameters, and on what removes it;
 /// empty where there is none.
-std::string form_warning(const Surface<double>& found, const SurfaceOptions& options) {
-    const PlainForm<double>& form = found.plain_form;
+std::string form_warning(const Surface<double>& parameters, const SurfaceOptions& options) {
+    const PlainForm<double>& form = parameters.plain_form;
     const auto option = [&](std::string_view key, const std::string& value) {
         return options.name(key) + (options.prefix.empty() ? " = \"" : " \"") + value + "\"";
     };
     if (form.is_parabola())
-        return shown_percent(form.parabola) + " of the mean square height is one " +
-               (found.profile ? "parabola" : "quadratic surface") + "; " +
-               option("detrend", found.profile ? "parabola" : "quadratic") + ", or of a round part " +
-               (found.profile ? "\"circle\"" : "\"sphere\" or \"cylinder\"") + ", removes it";
+        return document::shown_percent(form.parabola) + " of the mean square height is one " +
+               (parameters.profile ? "parabola" : "quadratic surface") + "; " +
+               option("detrend", parameters.profile ? "parabola" : "quadratic") + ", or of a round part " +
+               (parameters.profile ? "\"circle\"" : "\"sphere\" or \"cylinder\"") + ", removes it";
     if (!form.is_step()) return "";
     const bool straight = (form.along_x || form.along_y) && options.crop.empty();
-    return shown_percent(form.step) + " of the mean square height is one step" +
-           (straight ? " at " + shown_length(form.place, 3) + "; " + option("crop", crop_at_step(found))
+    return document::shown_percent(form.step) + " of the mean square height is one step" +
+           (straight ? " at " + document::shown_length(form.place, 3) + "; " + option("crop", crop_at_step(parameters))
                      : "; " + options.name("crop") + " or " + options.name("mask")) +
            " keeps one side of it";
 }
@@ -69,15 +71,15 @@ std::string form_warning(const Surface<double>& found, const SurfaceOptions& opt
 /// empty where there are none.
 std::string length_warning(double rms_height, double step) {
     if (!(rms_height > 1e-3 || step > 1e-2)) return "";
-    return "sigma is " + shown_length(rms_height, 3) + " and the points are " + shown_length(step, 3) +
-           " apart: a unit of its lengths is likely wrong";
+    return "sigma is " + document::shown_length(rms_height, 3) + " and the points are " +
+           document::shown_length(step, 3) + " apart: a unit of its lengths is likely wrong";
 }
 
 /// A sentence on offsets of the scan lines of a map; empty where none are seen.
-std::string lines_warning(const Surface<double>& found, const SurfaceOptions& options) {
-    if (found.offset_lines == ScanAxis::automatic) return "";
-    return "the lines along " + std::string(name_of(found.offset_lines)) + " are offset from each other by " +
-           shown_length(found.line_step, 3) +
+std::string lines_warning(const Surface<double>& parameters, const SurfaceOptions& options) {
+    if (parameters.offset_lines == ScanAxis::automatic) return "";
+    return "the lines along " + std::string(name_of(parameters.offset_lines)) + " are offset from each other by " +
+           document::shown_length(parameters.line_step, 3) +
            " rms, as by drift of a scanning probe: K may be off by a factor of two; " + options.name("align") +
            (options.prefix.empty() ? " = \"median\"" : " median") +
            " removes the offsets, and a fine lay along the lines, which looks alike";
@@ -90,63 +92,65 @@ std::string flat_patch_warning(double radius, std::string_view form) {
            " itself is not in it";
 }
 
-/// Decisions after the reading of the file, and doubts about \p found.
+/// Decisions after the reading of the file, and doubts about \p parameters.
 template <class Prepared>
 void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureOptions& options) {
-    const Surface<double>& found = surface.found;
+    const Surface<double>& parameters = surface.found;
     auto& said = surface.decisions;
     const bool profile = surface.is_profile();
-    said.push_back("rms height " + shown_length(prepared.rms_as_read) + " as read, " + shown_length(prepared.rms) +
-                   " without its form (" + form_name(prepared) + radius_clause(prepared.radius) + ")");
-    said.push_back(sentence_of(found.cut_offs));
+    said.push_back("rms height " + document::shown_length(prepared.rms_as_read) + " as read, " +
+                   document::shown_length(prepared.rms) + " without its form (" + form_name(prepared) +
+                   radius_clause(prepared.radius) + ")");
+    said.push_back(sentence_of(parameters.cut_offs));
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
-                       std::to_string(found.peaks_counted) + " peaks of the profile");
-    else if (found.why_no_density.empty())
+                       std::to_string(parameters.peaks_counted) + " peaks of the profile");
+    else if (parameters.why_no_density.empty())
         said.push_back(
-            "R and D_p from " + std::to_string(found.peaks_counted) +
+            "R and D_p from " + std::to_string(parameters.peaks_counted) +
             (options.input.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
-    if (found.fractal_dimension)
-        said.push_back("D and G from lags of " + shown_length(found.window.from) + " to " +
-                       shown_length(found.window.to) + (options.input.window.empty() ? " (automatic)" : " (given)"));
-    said.push_back(
-        "errors by " + std::to_string(options.resamples) + " resamples of " +
-        (profile ? "blocks of " + shown_length(found.block_length) : std::to_string(found.blocks) + " tiles") +
-        ", seed " + std::to_string(options.seed));
+    if (parameters.fractal_dimension)
+        said.push_back("D and G from lags of " + document::shown_length(parameters.window.from) + " to " +
+                       document::shown_length(parameters.window.to) +
+                       (options.input.window.empty() ? " (automatic)" : " (given)"));
+    said.push_back("errors by " + std::to_string(options.resamples) + " resamples of " +
+                   (profile ? "blocks of " + document::shown_length(parameters.block_length)
+                            : std::to_string(parameters.blocks) + " tiles") +
+                   ", seed " + std::to_string(options.seed));
 
     auto& warned = surface.warnings;
-    if (!found.why_no_dimension.empty())
-        warned.push_back("no D and G, so fractal laws need a given D: " + found.why_no_dimension);
-    else if (found.curved)
+    if (!parameters.why_no_dimension.empty())
+        warned.push_back("no D and G, so fractal laws need a given D: " + parameters.why_no_dimension);
+    else if (parameters.curved)
         warned.push_back("the structure function is not a single power law over the window: D is a mean over it");
-    if (!found.why_no_peaks.empty()) warned.push_back("no r and theta: " + found.why_no_peaks);
-    if (!found.why_no_density.empty())
+    if (!parameters.why_no_peaks.empty()) warned.push_back("no r and theta: " + parameters.why_no_peaks);
+    if (!parameters.why_no_density.empty())
         warned.push_back(std::string(profile ? "no D_p" : "no R and D_p") +
-                         ", so laws over a distribution of peaks need given ones: " + found.why_no_density);
-    const bool lay = has(found.concerns, MeasuredConcern::lay);
-    if (has(found.concerns, MeasuredConcern::anisotropic) && !lay)
+                         ", so laws over a distribution of peaks need given ones: " + parameters.why_no_density);
+    const bool lay = has(parameters.concerns, MeasuredConcern::lay);
+    if (has(parameters.concerns, MeasuredConcern::anisotropic) && !lay)
         warned.push_back("the map differs along x and y; the models assume an isotropic surface");
     if (lay)
         warned.push_back(
             profile
-                ? "the profile repeats itself every " + shown_length(found.repetition.period) + " (autocorrelation " +
-                      rounded(found.repetition.correlation, 2) +
+                ? "the profile repeats itself every " + document::shown_length(parameters.repetition.period) +
+                      " (autocorrelation " + document::rounded(parameters.repetition.correlation, 2) +
                       "): the face has a lay, and a profile cannot show the length of its ridges; K may be up to " +
-                      rounded(detail::lay_factor) + " times higher; measure a map"
-                : "the face has a lay (Str " + rounded(found.texture_aspect_ratio, 2) +
+                      document::rounded(detail::lay_factor) + " times higher; measure a map"
+                : "the face has a lay (Str " + document::rounded(parameters.texture_aspect_ratio, 2) +
                       "): laws over a distribution of peaks assume an isotropic surface; hybrid and boundary_elements "
                       "take the map as it is");
-    if (has(found.concerns, MeasuredConcern::long_waves))
+    if (has(parameters.concerns, MeasuredConcern::long_waves))
         warned.push_back(
-            shown_percent(found.long_wave_share) +
+            document::shown_percent(parameters.long_wave_share) +
             " of the mean square height is from waves longer than an eighth of the " + surface.kind +
             ": sigma is that of this length, and a longer one may have more; K is about proportional to 1/sigma");
-    std::vector<std::string> of_peaks = peak_warnings(found.concerns, found.peaks_counted, found);
-    if (!profile && has(found.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
+    std::vector<std::string> of_peaks = peak_warnings(parameters.concerns, parameters.peaks_counted, parameters);
+    if (!profile && has(parameters.concerns, MeasuredConcern::few_peaks)) surface.of_file.push_back(of_peaks.front());
     warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
     for (const std::string& line :
-         {lines_warning(found, options.input), flat_patch_warning(prepared.radius, form_name(prepared)),
-          form_warning(found, options.input), length_warning(prepared.rms, step_of(prepared)),
+         {lines_warning(parameters, options.input), flat_patch_warning(prepared.radius, form_name(prepared)),
+          form_warning(parameters, options.input), length_warning(prepared.rms, step_of(prepared)),
           gradient_warning(gradient_of(prepared), "measured")})
         if (!line.empty()) warned.push_back(line), surface.of_file.push_back(line);
 }
@@ -157,11 +161,11 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
                                        const SurfaceParameters<double>& values) {
     std::vector<std::string> lines;
     const auto add_percent = [&](MeasuredConcern concern, Parameter which) {
-        const Measurement<double>* one = values.find(which);
-        if (has(concerns, concern) && one &&
-            detail::is_known(*one))  // what is not known to a factor of two is named below
+        const Measurement<double>* measurement = values.find(which);
+        if (has(concerns, concern) && measurement &&
+            detail::is_known(*measurement))  // what is not known to a factor of two is named below
             lines.push_back(std::string(detail::row_of(which).symbol) + " is known to " +
-                            shown_percent(one->error / one->value) + " only");
+                            document::shown_percent(measurement->error / measurement->value) + " only");
     };
     if (has(concerns, MeasuredConcern::few_peaks))
         lines.push_back("R and D_p come from " + std::to_string(peaks) + " peaks only; their errors are rough");
@@ -175,7 +179,7 @@ std::vector<std::string> peak_warnings(const std::vector<MeasuredConcern>& conce
         std::string names;
         for (const Parameter which : detail::unknown_parameters(values))
             names += (names.empty() ? "" : ", ") + std::string(detail::row_of(which).symbol) + " (" +
-                     shown_percent(values.find(which)->error / values.find(which)->value) + ")";
+                     document::shown_percent(values.find(which)->error / values.find(which)->value) + ")";
         lines.push_back(names +
                         ": not known to a factor of two; a result that depends on it, and its band, are doubtful");
     }
@@ -192,10 +196,10 @@ namespace {
 
 /// \throws option_error, domain_error for options that do not fit the kind of the surface.
 void refuse_options(const MeasureOptions& options, const Instrument& instrument, bool profile) {
-    const std::string file = display_name(options.input.file);
+    const std::string file = document::display_name(options.input.file);
     if (profile && options.input.peaks == PeakSource::summits)
-        throw option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
-                           " holds a profile, whose R and D_p come from its curvature and its peaks");
+        throw document::option_error(options.input.name("peaks") + " = \"summits\" is for a map; " + file +
+                                     " holds a profile, whose R and D_p come from its curvature and its peaks");
     if (!profile && instrument.tip_radius > 0)
         throw domain_error(file +
                            ": is a map, whose lags cannot be corrected for the tip; give the resolution instead");
@@ -209,23 +213,23 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
     std::optional<LagWindow<double>> window;
     if (!options.input.window.empty()) window = parse_window(options.input.window, options.input.name("window"));
     refuse_options(options, instrument, profile);
-    fstiff::MeasureOptions<double> how =
+    fstiff::MeasureOptions<double> measuring =
         profile ? options_for_profile(options.input, input) : options_for_map(options.input, input);
-    how.window = window;
-    how.peaks = options.input.peaks;
-    how.resamples = static_cast<std::size_t>(options.resamples);
-    how.seed = options.seed;
-    how.neighbours = options.neighbours;
-    how.neighbour_dimensions = profile || options.neighbour_dimensions;
-    how.keep_maps = options.keep_maps;
-    how.progress = progress;
-    return how;
+    measuring.window = window;
+    measuring.peaks = options.input.peaks;
+    measuring.resamples = static_cast<std::size_t>(options.resamples);
+    measuring.seed = options.seed;
+    measuring.neighbours = options.neighbours;
+    measuring.neighbour_dimensions = profile || options.neighbour_dimensions;
+    measuring.keep_maps = options.keep_maps;
+    measuring.progress = progress;
+    return measuring;
 }
 
 /// Measures a surface that was read.
 MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInput& input) {
     MeasuredSurface surface;
-    surface.file = display_name(options.input.file);
+    surface.file = document::display_name(options.input.file);
     surface.sha256 = input.sha256;
     surface.how = std::make_shared<const MeasureOptions>(options);
     surface.kind = input.surface.is_profile() ? "profile" : "map";
@@ -234,9 +238,9 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     return surface;
 }
 
-/// \p surface, in which \p found was found, with the sentences on it.
-MeasuredSurface with_sentences(MeasuredSurface surface, Surface<double>&& found, const MeasureOptions& options) {
-    surface.found = std::move(found);
+/// \p surface, in which \p parameters was found, with the sentences on it.
+MeasuredSurface with_sentences(MeasuredSurface surface, Surface<double>&& parameters, const MeasureOptions& options) {
+    surface.found = std::move(parameters);
     if (surface.found.profile) describe(surface, *surface.found.profile, options);
     if (surface.found.map) describe(surface, *surface.found.map, options);
     return surface;
@@ -247,57 +251,59 @@ MeasuredSurface with_sentences(MeasuredSurface surface, Surface<double>&& found,
 MeasuredSurface measure_surface(const MeasureOptions& options, std::string bytes, const ProgressHook& progress) {
     SurfaceInput input = read_surface_input(options.input, std::move(bytes));
     if (input.surface.is_profile()) return measure_surface(options, input, progress);
-    const auto how = library_options(options, input, progress);
+    const auto measuring = library_options(options, input, progress);
     const MeasuredSurface read = surface_as_read(options, input);
-    return with_sentences(read, about_file(options.input.file, [&] { return measure(input.take_map(), how); }),
-                          options);
+    return with_sentences(
+        read, document::about_file(options.input.file, [&] { return measure(input.take_map(), measuring); }), options);
 }
 
 MeasuredSurface measure_surface(const MeasureOptions& options, const SurfaceInput& input,
                                 const ProgressHook& progress) {
-    const auto how = library_options(options, input, progress);
+    const auto measuring = library_options(options, input, progress);
     const MeasuredSurface read = surface_as_read(options, input);
-    return with_sentences(
-        read,
-        about_file(
-            options.input.file,
-            [&] { return std::visit([&](const auto& heights) { return measure(heights, how); }, input.surface.data); }),
-        options);
+    return with_sentences(read,
+                          document::about_file(options.input.file,
+                                               [&] {
+                                                   return std::visit(
+                                                       [&](const auto& heights) { return measure(heights, measuring); },
+                                                       input.surface.data);
+                                               }),
+                          options);
 }
 
 std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface) {
     return parameter_lines(surface, surface.found);
 }
 
-std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found) {
-    const bool profile = of.is_profile();
-    const auto unknown = detail::unknown_parameters(of.found, found);
-    const auto line = [&](Parameter which, std::string unit, std::string how) {
-        return ParameterLine{std::string(detail::row_of(which).key), std::move(unit), *found.find(which),
-                             std::move(how), std::count(unknown.begin(), unknown.end(), which) == 0};
+std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface, const Surface<double>& parameters) {
+    const bool profile = surface.is_profile();
+    const auto unknown = detail::unknown_parameters(surface.found, parameters);
+    const auto line = [&](Parameter which, std::string unit, std::string method) {
+        return ParameterLine{std::string(detail::row_of(which).key), std::move(unit), *parameters.find(which),
+                             std::move(method), std::count(unknown.begin(), unknown.end(), which) == 0};
     };
     std::vector<ParameterLine> lines{line(Parameter::rms_height, "m", "root of the mean square about the mean")};
-    if (found.find(Parameter::peak_radius))
+    if (parameters.find(Parameter::peak_radius))
         lines.push_back(
             line(Parameter::peak_radius, "m", profile ? "3 sqrt(pi)/(8 sigma_kappa), (4.10)" : "mean of the peaks"));
-    if (found.find(Parameter::peak_density))
+    if (parameters.find(Parameter::peak_density))
         lines.push_back(line(Parameter::peak_density, "/m^2",
                              profile ? "2 pi/(3 sqrt 3) n^2, n peaks per length" : "peaks over the area"));
-    const auto add = [&](const char* name, const Measurement<double>& measurement, const char* how) {
-        lines.push_back({name, "m", measurement, how, detail::is_known(measurement)});
+    const auto add = [&](const char* name, const Measurement<double>& measurement, const char* method) {
+        lines.push_back({name, "m", measurement, method, detail::is_known(measurement)});
     };
-    if (found.max_peak_height.value > 0)
-        add("max_peak_height", found.max_peak_height, "highest point; the error is a lower bound");
-    if (found.fractal_dimension)
+    if (parameters.max_peak_height.value > 0)
+        add("max_peak_height", parameters.max_peak_height, "highest point; the error is a lower bound");
+    if (parameters.fractal_dimension)
         lines.push_back(line(Parameter::fractal_dimension, "",
                              profile ? "structure function, (2.5)" : "structure functions along x and y, (2.5)"));
-    if (found.fractal_roughness) add("fractal_roughness", *found.fractal_roughness, "the same");
-    if (found.r && found.theta) {
+    if (parameters.fractal_roughness) add("fractal_roughness", *parameters.fractal_roughness, "the same");
+    if (parameters.r && parameters.theta) {
         lines.push_back(line(Parameter::r, "", "triples of neighbours, (4.1)"));
         lines.push_back(line(Parameter::theta, "", "triples of neighbours, (4.3) [rad]"));
     }
-    if (found.heights) {
-        const HeightStatistics<double>& heights = *found.heights;
+    if (parameters.heights) {
+        const HeightStatistics<double>& heights = *parameters.heights;
         lines.push_back({"rms_gradient", "", heights.rms_gradient,
                          profile ? "root of twice the mean square slope" : "neighbours along x and y"});
         lines.push_back({"skewness", "", heights.skewness, "of the heights; 0 of Gaussian ones"});
@@ -306,4 +312,4 @@ std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surf
     return lines;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

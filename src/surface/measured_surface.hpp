@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 /// How a file is read, and how its parameters are found.
 struct MeasureOptions {
@@ -92,7 +92,8 @@ struct ParameterLine {
 };
 /// Parameters that are known, in the order of docs/scene.md.
 [[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface);
-/// The same of \p found, which was measured as \p of was: \p of itself, or one of its neighbours.
-[[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& of, const Surface<double>& found);
+/// The same of \p parameters, which was measured as \p surface was: \p surface itself, or one of its neighbours.
+[[nodiscard]] std::vector<ParameterLine> parameter_lines(const MeasuredSurface& surface,
+                                                         const Surface<double>& parameters);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 /// The form called \p name; \p more follows the choices in the refusal.
@@ -20,23 +20,23 @@ template <detail::NamedEnum FormOf>
 FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string_view what,
                const std::string& more = "") {
     if (const auto form = detail::find_named<FormOf>(name)) return *form;
-    throw option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " + std::string(what) +
-                       " must be one of " + detail::choices_text<FormOf>() + more);
+    throw document::option_error(options.name("detrend") + " = \"" + std::string(name) + "\": of a " +
+                                 std::string(what) + " must be one of " + detail::choices_text<FormOf>() + more);
 }
 
 /// The radius of \p options, 0 where there is none. \throws option_error for one without its \p round form.
 double radius_of_form(const SurfaceOptions& options, bool round) {
     if (options.radius.empty()) return 0;
     if (!round)
-        throw option_error(options.name("radius") + " belongs to " + options.name("detrend") +
+        throw document::option_error(options.name("radius") + " belongs to " + options.name("detrend") +
                            " circle, sphere or cylinder; must not be given without it");
     return parse_length(options.radius, options.name("radius"));
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
     if (!options.cutoff.empty())
-        throw option_error(options.name("cutoff") + " belongs to " + options.name("detrend") +
-                           " gaussian, of a profile; must not be given without it");
+        throw document::option_error(options.name("cutoff") + " belongs to " + options.name("detrend") +
+                                     " gaussian, of a profile; must not be given without it");
 }
 
 }  // namespace
@@ -70,15 +70,15 @@ bool is_document(std::string_view bytes) {
 void refuse_parts(const SurfaceOptions& options) {
     for (const auto& [key, parts] : {std::pair("columns", &options.columns), std::pair("channels", &options.channels)})
         if (!parts->empty())
-            throw option_error(options.name(key) + " = \"" + *parts +
+            throw document::option_error(options.name(key) + " = \"" + *parts +
                                "\": must not be given where one surface is read");
 }
 
 void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
     if (options.align != LineAlignment::none && input.surface.is_profile())
-        throw option_error(options.name("align") + " = \"" + std::string(name_of(options.align)) +
+        throw document::option_error(options.name("align") + " = \"" + std::string(name_of(options.align)) +
                            "\": must be none for a profile, which is one line");
-    about_file(options.file, [&] {
+    document::about_file(options.file, [&] {
         clean(options, input.surface);
         for (std::string& hint : cleaning_hints(options, input.surface))
             input.surface.record.warnings.push_back(std::move(hint));
@@ -94,12 +94,12 @@ SurfaceInput input_of(const SurfaceOptions& options, std::optional<SurfaceInput>
 SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap heights, const std::string& origin) {
     refuse_parts(options);
     SurfaceInput input;
-    std::visit([&](const auto& surface) { about_file(options.file, [&] { surface.validate(); }); }, heights);
+    std::visit([&](const auto& surface) { document::about_file(options.file, [&] { surface.validate(); }); }, heights);
     const double* const first =
         heights.index() == 0 ? std::get<0>(heights).heights.data() : std::get<1>(heights).heights.data();
     input.surface.data = std::move(heights);
-    input.sha256 = sha256({reinterpret_cast<const char*>(first), input.points() * sizeof(double)});
-    input.surface.record.name = display_name(options.file);
+    input.sha256 = document::sha256({reinterpret_cast<const char*>(first), input.points() * sizeof(double)});
+    input.surface.record.name = document::display_name(options.file);
     input.surface.record.format = io::SurfaceFormat::npy;
     input.surface.record.format_from = origin;
     clean_input(options, input);
@@ -107,37 +107,37 @@ SurfaceInput surface_of_heights(const SurfaceOptions& options, io::ProfileOrMap 
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options) {
-    return read_surface_input(options, read_all(options.file));
+    return read_surface_input(options, document::read_all(options.file));
 }
 
 SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes) {
     refuse_parts(options);
     if (is_document(bytes))
-        throw domain_error(display_name(options.file) +
+        throw domain_error(document::display_name(options.file) +
                            ": is JSON that fstiff printed; must be a profile or a map (run --surface and surface.from "
                            "read the JSON of fstiff measure)");
-    io::SurfaceOptions how;
-    how.format = options.format;
-    how.units = options.units;
-    if (!options.prefix.empty()) how.names = {std::string(options.prefix), std::string(options.format_name), " "};
-    how.column = static_cast<std::size_t>(options.column);
-    how.x_column = static_cast<std::size_t>(options.x_column);
+    io::SurfaceOptions reading;
+    reading.format = options.format;
+    reading.units = options.units;
+    if (!options.prefix.empty()) reading.names = {std::string(options.prefix), std::string(options.format_name), " "};
+    reading.column = static_cast<std::size_t>(options.column);
+    reading.x_column = static_cast<std::size_t>(options.x_column);
     const auto length = [&](const Amount& given, const char* key) {
         return given.empty() ? std::optional<double>() : parse_length(given, options.name(key));
     };
-    how.spacing = length(options.spacing, "spacing");
-    how.dx = length(options.dx, "dx");
-    how.dy = length(options.dy, "dy");
-    how.width = length(options.width, "width");
-    how.height = length(options.height, "height");
-    how.missing = options.missing;
-    how.thousands = options.thousands;
-    how.resample = options.resample;
-    how.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
-    how.channel = options.channel;
+    reading.spacing = length(options.spacing, "spacing");
+    reading.dx = length(options.dx, "dx");
+    reading.dy = length(options.dy, "dy");
+    reading.width = length(options.width, "width");
+    reading.height = length(options.height, "height");
+    reading.missing = options.missing;
+    reading.thousands = options.thousands;
+    reading.resample = options.resample;
+    reading.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
+    reading.channel = options.channel;
     SurfaceInput input;
-    input.sha256 = sha256(bytes);
-    input.surface = io::read_surface(std::move(bytes), display_name(options.file), how);
+    input.sha256 = document::sha256(bytes);
+    input.surface = io::read_surface(std::move(bytes), document::display_name(options.file), reading);
     clean_input(options, input);
     return input;
 }
@@ -154,10 +154,10 @@ Form form_of_profile(const SurfaceOptions& options) {
         return form;
     }
     const std::string name = options.name("cutoff"), form = options.name("detrend") + " gaussian ";
-    if (options.cutoff.empty()) throw option_error(form + "needs " + name + ", such as \"0.8 mm\"");
+    if (options.cutoff.empty()) throw document::option_error(form + "needs " + name + ", such as \"0.8 mm\"");
     if (!options.lambda_c.empty() && options.lambda_c != Amount("none"))
-        throw option_error(form + "has the cut-off " + name +
-                           " already; must not be given with another cut-off of long waves");
+        throw document::option_error(form + "has the cut-off " + name +
+                                     " already; must not be given with another cut-off of long waves");
     return Form::line;
 }
 
@@ -165,40 +165,41 @@ Form form_of_profile(const SurfaceOptions& options) {
 
 fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options, const SurfaceInput& input) {
     if (!input.surface.is_profile())
-        throw domain_error(display_name(options.file) + ": holds a map (" +
+        throw domain_error(document::display_name(options.file) + ": holds a map (" +
                            std::to_string(input.surface.map().columns()) + " x " +
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
     const Form form = form_of_profile(options);
     const double radius = radius_of_form(options, form == Form::circle);
     const Profile<double>& read = input.surface.profile();
-    return about_file(options.file, [&] {
-        fstiff::MeasureOptions<double> how = library_options(options);
-        how.form = form;
-        how.form_radius = radius;
-        if (options.detrend == gaussian_form) how.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
-        how.height_step = input.surface.record.resolution;
-        require_cut_offs(options, how, read.spacing, read.length());
-        return how;
+    return document::about_file(options.file, [&] {
+        fstiff::MeasureOptions<double> measuring = library_options(options);
+        measuring.form = form;
+        measuring.form_radius = radius;
+        if (options.detrend == gaussian_form)
+            measuring.form_cut_off = parse_length(options.cutoff, options.name("cutoff"));
+        measuring.height_step = input.surface.record.resolution;
+        require_cut_offs(options, measuring, read.spacing, read.length());
+        return measuring;
     });
 }
 
 fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, const SurfaceInput& input) {
     if (input.surface.is_profile())
-        throw domain_error(display_name(options.file) + ": holds a profile (" +
+        throw domain_error(document::display_name(options.file) + ": holds a profile (" +
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
     const MapForm form = options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
     refuse_cutoff(options);
     const double radius = radius_of_form(options, form > MapForm::cubic);
     const HeightMap<double>& map = input.surface.map();
-    return about_file(options.file, [&] {
-        fstiff::MeasureOptions<double> how = library_options(options);
-        how.map_form = form;
-        how.form_radius = radius;
-        how.height_step = input.surface.record.resolution;
+    return document::about_file(options.file, [&] {
+        fstiff::MeasureOptions<double> measuring = library_options(options);
+        measuring.map_form = form;
+        measuring.form_radius = radius;
+        measuring.height_step = input.surface.record.resolution;
         require_cut_offs(
-            options, how, std::max(map.dx, map.dy),
+            options, measuring, std::max(map.dx, map.dy),
             std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy));
-        return how;
+        return measuring;
     });
 }
 
@@ -212,37 +213,38 @@ std::string radius_clause(double radius) {
 }
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {
-    const auto how = options_for_profile(options, input);
-    return about_file(options.file, [&] { return prepare(input.surface.profile(), how); });
+    const auto measuring = options_for_profile(options, input);
+    return document::about_file(options.file, [&] { return prepare(input.surface.profile(), measuring); });
 }
 
 PreparedMap<double> level_map(const SurfaceOptions& options, const SurfaceInput& input) {
-    const auto how = options_for_map(options, input);
-    return about_file(options.file, [&] { return prepare(input.surface.map(), how); });
+    const auto measuring = options_for_map(options, input);
+    return document::about_file(options.file, [&] { return prepare(input.surface.map(), measuring); });
 }
 
 PreparedMap<double> level_map_of(const SurfaceOptions& options, SurfaceInput& input) {
-    const auto how = options_for_map(options, input);
-    return about_file(options.file, [&] { return prepare(input.take_map(), how); });
+    const auto measuring = options_for_map(options, input);
+    return document::about_file(options.file, [&] { return prepare(input.take_map(), measuring); });
 }
 
 std::string gradient_warning(double rms_gradient, std::string_view origin) {
     if (detail::is_plausible_gradient(rms_gradient)) return "";
     const bool flat = rms_gradient < detail::min_plausible_gradient<double>;
-    return "the rms gradient" + (std::isfinite(rms_gradient) ? ", " + rounded(rms_gradient, 3) + "," : std::string()) +
-           " is " + (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is that " +
+    return "the rms gradient" +
+           (std::isfinite(rms_gradient) ? ", " + document::rounded(rms_gradient, 3) + "," : std::string()) + " is " +
+           (flat ? "below 1e-06" : "above 1") + " (" + std::string(origin) + "): no rough surface is that " +
            (flat ? "flat" : "steep") + "; a unit of its lengths is likely wrong";
 }
 
 std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                           std::optional<double> rms_gradient) {
-    std::vector<std::string> all = input.surface.record.warnings;
+    std::vector<std::string> warnings = input.surface.record.warnings;
     if (rms_gradient && !detail::is_plausible_gradient(*rms_gradient))
-        all.push_back(gradient_warning(*rms_gradient, "measured"));
+        warnings.push_back(gradient_warning(*rms_gradient, "measured"));
     if (input.missing() > 0)
-        all.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +
-                      " points are missing; " + std::string(consequence));
-    return all;
+        warnings.push_back(std::to_string(input.missing()) + " of " + std::to_string(input.points()) +
+                           " points are missing; " + std::string(consequence));
+    return warnings;
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 struct SurfaceInput {
     io::Surface surface;
@@ -98,4 +98,4 @@ void require_cut_offs(const SurfaceOptions& options, const fstiff::MeasureOption
 [[nodiscard]] std::vector<std::string> reading_warnings(const SurfaceInput& input, std::string_view consequence,
                                                         std::optional<double> rms_gradient = {});
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 /// The forms that may be removed of \p kind.
@@ -182,4 +182,4 @@ std::string SurfaceOptions::name(std::string_view key) const {
     return key == "format" ? std::string(format_name) : std::string(prefix) + with_dashes(key);
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 /// What is read.
 enum class SurfaceKind { profile, map, any };
@@ -99,4 +99,4 @@ inline constexpr int most_columns = static_cast<int>(io::detail::max_profile_col
 /// "--reflection-error".
 [[nodiscard]] std::string option_name(std::string_view prefix, std::string_view key);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

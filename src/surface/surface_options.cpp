@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 namespace {
 
 /// Whether \p text is 0 without a unit.
@@ -32,17 +32,19 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 double parse_length(const Amount& given, std::string_view name) {
     if (given.numbers().size() > 1)
         throw domain_error({.parameter = name, .value = "\"" + given.text("m") + "\"", .allowed = "one length"});
-    return parse_positive(given.text("m"), io::Dimension::length, name);
+    return document::parse_positive(given.text("m"), io::Dimension::length, name);
 }
 
 LagWindow<double> parse_window(const Amount& given, std::string_view name) {
     const std::vector<std::string> ends = split_at_commas(given.text("m"));
     const std::string quoted = std::string(name) + " = \"" + given.text("m") + "\": ";
-    if (ends.size() < 2) throw option_error(quoted + "must be two lengths, such as \"1 um,100 um\"");
+    if (ends.size() < 2) throw document::option_error(quoted + "must be two lengths, such as \"1 um,100 um\"");
     if (ends.size() > 2)
-        throw option_error(quoted + "must be two lengths with one comma between them; the decimal mark is the point");
+        throw document::option_error(quoted +
+                                     "must be two lengths with one comma between them; the decimal mark is the point");
     const LagWindow<double> window{parse_length(ends[0], name), parse_length(ends[1], name)};
-    if (!(window.from < window.to)) throw option_error(quoted + "the first length must be less than the second");
+    if (!(window.from < window.to))
+        throw document::option_error(quoted + "the first length must be less than the second");
     return window;
 }
 
@@ -60,4 +62,4 @@ CutOff<double> parse_cut_off(const Amount& given, std::string_view name) {
     return parse_length(given, name);
 }
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::scene {
+namespace fstiff::surface {
 
 using request::Amount;
 using request::Field;
@@ -74,4 +74,4 @@ inline constexpr std::string_view gaussian_form = "gaussian";
 /// A cut-off: a length greater than 0, "none", or "auto" (or empty). \throws domain_error as above.
 [[nodiscard]] CutOff<double> parse_cut_off(const Amount& given, std::string_view name);
 
-}  // namespace fstiff::scene
+}  // namespace fstiff::surface

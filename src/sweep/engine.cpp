@@ -95,8 +95,8 @@ public:
             std::string lines = lines_of(grid_, block);
             block = {.first = first, .end = block.end, .failed = block.failed, .lines = std::move(lines)};
         }
-        const double one = seconds_since(begun) / static_cast<double>(count);
-        const double fit = std::min(block_seconds / std::max(one, 1e-9), 4 * static_cast<double>(wanted_));
+        const double seconds_each = seconds_since(begun) / static_cast<double>(count);
+        const double fit = std::min(block_seconds / std::max(seconds_each, 1e-9), 4 * static_cast<double>(wanted_));
         wanted_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(fit), 1, most_in_block);
         queue_.put(std::move(block));
         return true;

@@ -280,13 +280,13 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Swept>& swept
 /// Appends the sha256 of \p file to \p text, and of the files of a folder.
 void add_hash(std::string& text, const std::filesystem::path& file) {
     const auto hash = [](const auto& member) {
-        return scene::sha256(scene::read_all(scene::name_of_path(member))) + "\n";
+        return document::sha256(document::read_all(document::name_of_path(member))) + "\n";
     };
     if (!std::filesystem::is_directory(file)) return void(text += hash(file));
     std::set<std::filesystem::path> inside;
     for (const auto& entry : std::filesystem::directory_iterator(file))
         if (entry.is_regular_file()) inside.insert(entry.path());
-    for (const auto& member : inside) text += scene::name_of_path(member.filename()) + " " + hash(member);
+    for (const auto& member : inside) text += document::name_of_path(member.filename()) + " " + hash(member);
 }
 
 /// Appends the files that \p node names at the keys from and mask to \p files.
@@ -302,7 +302,7 @@ void add_files(const Source& source, const toml::node& node, bool is_file, std::
         const std::string file = request::written(node);
         if (file == "-")
             throw domain_error(source.at(node) + ": is standard input, which only one scene can read; must be a file");
-        files.push_back(scene::name_of_path(scene::path_of(source.file).parent_path() / scene::path_of(file)));
+        files.push_back(document::name_of_path(document::path_of(source.file).parent_path() / document::path_of(file)));
     }
 }
 
@@ -362,10 +362,10 @@ Grid read_grid(const std::string& text, const std::string& file, const Given& gi
     }
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);
     grid.size = count_scenes(source, finder.axes, grid);
-    std::string hashed = "fstiff sweep " FSTIFF_VERSION_TEXT "\n" + scene::sha256(text) + "\n";
+    std::string hashed = "fstiff sweep " FSTIFF_VERSION_TEXT "\n" + document::sha256(text) + "\n";
     if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, grid.files);
     for (const std::string& named : grid.files) add_hash(hashed, named);
-    grid.hash = scene::sha256(hashed);
+    grid.hash = document::sha256(hashed);
     root.erase("sweep");
     form->root = std::move(root);
     grid.form = std::move(form);

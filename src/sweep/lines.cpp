@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/lines.hpp"
 
+#include "actions/results.hpp"
 #include "document/file.hpp"
 #include "document/json.hpp"
-#include "scene/results.hpp"
 
 #include <fstiff/core/text.hpp>
 
@@ -17,7 +17,7 @@
 namespace fstiff::sweep {
 namespace {
 
-using scene::Curve;
+using actions::Curve;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -32,11 +32,11 @@ public:
         std::iota(order.begin(), order.end(), std::size_t(0));
         const std::size_t* point = maker_.point_axis();
         if (point) sort_by_surface(*point, order);
-        for (std::size_t at = 0, end = 0; at < order.size(); at = end) {
-            end = at + 1;
-            while (point && end < order.size() && maker_.alike(block_.values[order[at]], block_.values[order[end]]))
+        for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+            end = begin + 1;
+            while (point && end < order.size() && maker_.alike(block_.values[order[begin]], block_.values[order[end]]))
                 ++end;
-            compute(std::span(order).subspan(at, end - at));
+            compute(std::span(order).subspan(begin, end - begin));
         }
         std::stable_sort(block_.rows.begin(), block_.rows.end(),
                          [](const Row& a, const Row& b) { return a.scene < b.scene; });
@@ -74,7 +74,7 @@ private:
         try {
             maker_.make(block_.values[place], work_);
             bool misses = false;
-            for (const Curve& curve : scene::curves_of(work_.scene, work_.contacts)) {
+            for (const Curve& curve : actions::curves_of(work_.scene, work_.contacts)) {
                 auto missed = curve.missed.begin();
                 for (std::size_t point = 0; point < work_.scene.points.size(); ++point)
                     if (missed != curve.missed.end() && missed->place == point)
@@ -102,7 +102,7 @@ private:
                 return std::isfinite(x) && (work_.scene.at_separations || x > 0);
             });
             const std::vector<Curve> curves =
-                allowed ? scene::curves_of(work_.scene, work_.contacts) : std::vector<Curve>();
+                allowed ? actions::curves_of(work_.scene, work_.contacts) : std::vector<Curve>();
             points.resize(1);  // that of the next scene is put in its place
             if (!allowed) return false;
             for (const Curve& curve : curves)
@@ -118,7 +118,7 @@ private:
     }
 
     /// A row of \p curve, whose columns are not there yet.
-    Row& add_row(std::size_t place, const Curve& curve, const scene::Law& law) {
+    Row& add_row(std::size_t place, const Curve& curve, const detail::Law& law) {
         const auto has_keys = [&](const std::vector<const std::string*>& keys) {
             return std::equal(keys.begin(), keys.end(), curve.columns.begin(), curve.columns.end(),
                               [](const std::string* key, const scene::Column& column) { return key == &column.key(); });
@@ -140,10 +140,10 @@ private:
     }
 
     /// A point that the law of \p curve does not reach: that point, nothing else, and why.
-    void add_missed(std::size_t place, const Curve& curve, const scene::MissedPoint& missed) {
+    void add_missed(std::size_t place, const Curve& curve, const detail::MissedPoint& missed) {
         const scene::Scene& scene = work_.scene;
         add_row(place, curve, *curve.law).error =
-            "law " + std::string(curve.law->name) + ": " + reason_of(scene, missed);
+            "law " + std::string(curve.law->name) + ": " + actions::reason_of(scene, missed);
         const auto known = scene.at_separations ? scene::CurveQuantity::separation : scene::CurveQuantity::pressure;
         for (const scene::Column& column : curve.columns)
             block_.numbers.push_back(column.quantity == known ? scene.points[missed.place] : none);
@@ -164,7 +164,7 @@ void append_exact(std::string& text, double value) {
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);
     text.append(digits, end);
 #else
-    text += scene::exact(value);
+    text += document::exact(value);
 #endif
 }
 
@@ -180,7 +180,8 @@ std::string beginning(const Grid& grid, std::uint64_t index, const std::vector<V
     for (std::size_t i = 0; i < grid.axes.size(); ++i) {
         const Axis& axis = grid.axes[i];
         append_key(text, axis.key);
-        text += axis.is_text() ? scene::json_text(axis.texts[values[i].place]) : scene::shortest(values[i].number);
+        text +=
+            axis.is_text() ? document::json_text(axis.texts[values[i].place]) : document::shortest(values[i].number);
     }
     return text;
 }
@@ -221,7 +222,7 @@ std::string lines_of(const Grid& grid, const Block& block) {
         if (row.answer) text += ",\"answer\":1";
         if (!row.error.empty()) {
             append_key(text, "error");
-            text += scene::json_text(row.error);
+            text += document::json_text(row.error);
         }
         text += "}\n";
     }

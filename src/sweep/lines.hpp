@@ -15,10 +15,10 @@ namespace fstiff::sweep {
 
 /// One row of results, or why there is none.
 struct Row {
-    std::size_t scene = 0;            ///< its place in the block
-    const scene::Law* law = nullptr;  ///< null: the scene cannot be computed
-    std::size_t header = 0;           ///< its place among those of the block
-    std::size_t begin = 0;            ///< of theta, r and its columns among the numbers of the block
+    std::size_t scene = 0;             ///< its place in the block
+    const detail::Law* law = nullptr;  ///< null: the scene cannot be computed
+    std::size_t header = 0;            ///< its place among those of the block
+    std::size_t begin = 0;             ///< of theta, r and its columns among the numbers of the block
     bool answer = false;
     std::string error{};  ///< why the scene, or this point of it, has no results
 };

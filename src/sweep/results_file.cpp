@@ -20,7 +20,7 @@
 namespace fstiff::sweep {
 namespace {
 
-namespace os = scene::os;
+namespace os = document::os;
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) {
     throw file_error(file, what + ": " + std::generic_category().message(errno));
@@ -50,8 +50,8 @@ struct Scan {
 /// Reads \p file, whose first scene is \p first, up to the first line that does not follow those before.
 Scan scan_of(const std::string& file, std::uint64_t first) {
     Scan scan{.next = first};
-    std::ifstream stream(scene::path_of(file), std::ios::binary);
-    const std::uint64_t size = std::filesystem::file_size(scene::path_of(file));
+    std::ifstream stream(document::path_of(file), std::ios::binary);
+    const std::uint64_t size = std::filesystem::file_size(document::path_of(file));
     std::uint64_t current = first, bytes = 0;
     bool failing = false;
     for (std::string line; std::getline(stream, line) && !stream.eof(); bytes += line.size() + 1) {
@@ -78,45 +78,45 @@ void replace_file(const std::string& target, std::string_view text) {
             if (!os::sync_all(file.descriptor())) fail(target, "cannot be written");
         }
         std::error_code error;
-        std::filesystem::rename(scene::path_of(partial), scene::path_of(target), error);
+        std::filesystem::rename(document::path_of(partial), document::path_of(target), error);
         if (error) throw file_error(target, "cannot be written: " + error.message());
     } catch (...) {
-        os::remove_file(scene::path_of(partial).c_str());
+        os::remove_file(document::path_of(partial).c_str());
         throw;
     }
-    os::sync_folder(scene::path_of(target).parent_path());
+    os::sync_folder(document::path_of(target).parent_path());
 }
 
 /// The description of \p results. \throws file_error where it is missing or is none, in a sentence with the remedy.
 Description read_description(const std::string& results) {
     const std::string file = description_file(results);
-    std::ifstream stream(scene::path_of(file), std::ios::binary);
+    std::ifstream stream(document::path_of(file), std::ios::binary);
     if (!stream)
         throw file_error(results, "the file " + file +
                                       " that names its grid and shard is missing; put it back next to the results, or "
                                       "move them away and run the sweep again");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    Description made;
+    Description description;
     try {
         const auto json = nlohmann::json::parse(text);
         if (json.at("schema_version") != 1) throw file_error(file, "is of another version of fstiff");
-        Description::each_field(made, [&](const char* key, auto& to) { json.at(key).get_to(to); });
+        Description::each_field(description, [&](const char* key, auto& to) { json.at(key).get_to(to); });
     } catch (const nlohmann::json::exception&) {
         throw file_error(file, "is not a description of results; must be what fstiff sweep wrote next to " + results);
     }
-    return made;
+    return description;
 }
 
 void write_description(const std::string& results, const Description& description) {
-    scene::Json json{{"schema_version", 1}, {"command", "sweep"}};
+    document::Json json{{"schema_version", 1}, {"command", "sweep"}};
     Description::each_field(description, [&](const char* key, const auto& value) { json[key] = value; });
     replace_file(description_file(results), json.str());
 }
 
 }  // namespace
 
-OpenFile::OpenFile(std::string name, os::Opening how)
-    : name_(std::move(name)), descriptor_(os::open_file(scene::path_of(name_), how)) {
+OpenFile::OpenFile(std::string name, os::Opening opening)
+    : name_(std::move(name)), descriptor_(os::open_file(document::path_of(name_), opening)) {
     if (descriptor_ < 0) fail(name_, "cannot be written");
 }
 
@@ -138,8 +138,8 @@ std::optional<std::uint64_t> index_of_line(std::string_view line) {
 void require_lines(const std::string& results) {
     for (const char* other : {".parquet", ".h5", ".hdf5", ".csv", ".tsv", ".txt", ".nc", ".npy", ".xlsx"})
         if (results.ends_with(other))
-            throw scene::option_error(results +
-                                      ": results are lines of JSON, file.jsonl; pandas and pyarrow read them");
+            throw document::option_error(results +
+                                         ": results are lines of JSON, file.jsonl; pandas and pyarrow read them");
 }
 
 std::string description_file(const std::string& results) { return results + ".sweep"; }
@@ -152,7 +152,7 @@ ResultsFile::ResultsFile(std::string file, Description description)
 
 void ResultsFile::lock() {
     const std::string& name = file_.name();
-    if (!std::filesystem::is_regular_file(scene::path_of(name)))
+    if (!std::filesystem::is_regular_file(document::path_of(name)))
         throw file_error(name, "is not a regular file; results of a sweep must be one, to go on after an interruption");
     if (os::lock(file_.descriptor())) return;
     if (errno == EWOULDBLOCK)
@@ -162,10 +162,10 @@ void ResultsFile::lock() {
 
 void ResultsFile::take_up() {
     const std::string& name = file_.name();
-    const std::uint64_t bytes = std::filesystem::file_size(scene::path_of(name));
+    const std::uint64_t bytes = std::filesystem::file_size(document::path_of(name));
     const std::uint64_t first = description_.shard.first(description_.scenes);
     next_ = first;
-    if (!std::filesystem::exists(scene::path_of(description_file(name)))) {
+    if (!std::filesystem::exists(document::path_of(description_file(name)))) {
         if (bytes > 0) static_cast<void>(read_description(name));  // refuses
         write_description(name, description_);
         return;
@@ -209,8 +209,9 @@ void ResultsFile::write() {
     try {
         file_.write(waiting_);
     } catch (...) {  // no room: the lines that found some stay
-        const std::int64_t at = os::position(file_.descriptor());
-        const std::size_t written = at > static_cast<std::int64_t>(size_) ? static_cast<std::size_t>(at) - size_ : 0;
+        const std::int64_t position = os::position(file_.descriptor());
+        const std::size_t written =
+            position > static_cast<std::int64_t>(size_) ? static_cast<std::size_t>(position) - size_ : 0;
         keep(std::string_view(waiting_).substr(0, written).rfind('\n') + 1);  // of none, npos + 1 is 0
         throw;
     }

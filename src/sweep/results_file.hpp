@@ -54,7 +54,7 @@ void require_lines(const std::string& results);
 class OpenFile {
 public:
     /// \throws file_error with the reason that the system gives.
-    OpenFile(std::string name, scene::os::Opening how);
+    OpenFile(std::string name, document::os::Opening opening);
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
     ~OpenFile();

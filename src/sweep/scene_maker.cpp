@@ -45,7 +45,7 @@ constexpr SceneMaker::Number numbers[]{
     {"surface.rms_height", "m", put_parameter<Parameter::rms_height>, 0, infinity},
     {"surface.peak_radius", "m", put_parameter<Parameter::peak_radius>, 0, infinity},
     {"surface.peak_density", "1/m^2", put_parameter<Parameter::peak_density>, 0, infinity},
-    {"surface.fractal_dimension", "", put_parameter<Parameter::fractal_dimension>, 1, scene::greatest_dimension},
+    {"surface.fractal_dimension", "", put_parameter<Parameter::fractal_dimension>, 1, detail::greatest_dimension},
 };
 
 bool has(const toml::table& root, const char* key) { return static_cast<bool>(root.at_path(key)); }
@@ -70,8 +70,8 @@ public:
         std::vector<ContactPoint<double>> points;
         points.reserve(separations.size());
         for (const double d : separations) {
-            const auto at = law_.at_separation(d);
-            points.push_back(point(d, at.pressure, at.stiffness));
+            const auto entry = law_.at_separation(d);
+            points.push_back(point(d, entry.pressure, entry.stiffness));
         }
         return points;
     }
@@ -94,19 +94,19 @@ private:
 /// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has
 /// these, in its place; a law that has no table stays. K and the separation of a table are within the error that it
 /// carries, which the results show as that of K.
-void tabulate(std::vector<scene::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
-    for (scene::MadeContact& made : contacts) {
+void tabulate(std::vector<detail::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
+    for (detail::MadeContact& contact : contacts) {
         try {
             std::array<double, 2> pressures = range;
             if (scene.at_separations) {
-                const auto ends = made.contact->at_separations(range, Quantity::pressure);
+                const auto ends = contact.contact->at_separations(range, Quantity::pressure);
                 if (!ends[0].ok() || !ends[1].ok()) continue;
                 pressures = {ends[1].state.pressure.value, ends[0].state.pressure.value};
             }
             constexpr double room = 1e-3;  // so that no end falls out by rounding
             const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            made.contact = std::make_shared<const Tabulated>(made.contact->tabulate(wider),
-                                                             scene.face.parameters.rms_height.value);
+            contact.contact = std::make_shared<const Tabulated>(contact.contact->tabulate(wider),
+                                                                scene.face.parameters.rms_height.value);
         } catch (const domain_error&) {  // no table of this law, or not so far: point by point
         }
     }
@@ -165,7 +165,7 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
     point_axis_ = static_cast<std::size_t>(point - setters_.begin());
     // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != setters_.end() && first->points.size() == 1 &&
-             std::all_of(first->laws.begin(), first->laws.end(), [](const scene::Law* law) { return law->varies; }) &&
+             std::all_of(first->laws.begin(), first->laws.end(), [](const detail::Law* law) { return law->varies; }) &&
              std::none_of(grid.axes.begin(), grid.axes.end(),
                           [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
     if (grid.tabulate) find_table_range(*first);
@@ -200,14 +200,14 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
     bool is_new = false;
     {
         const std::lock_guard lock(mutex_);
-        const auto at = std::find_if(all_.begin(), all_.end(), [&](const auto& one) { return one.first == key; });
-        is_new = at == all_.end();
+        const auto entry = std::find_if(all_.begin(), all_.end(), [&](const auto& kept) { return kept.first == key; });
+        is_new = entry == all_.end();
         if (is_new) {
             all_.emplace_front(key, result);
             if (all_.size() > most_scenes_read) all_.pop_back();
         } else {
-            result = at->second;
-            all_.splice(all_.begin(), all_, at);
+            result = entry->second;
+            all_.splice(all_.begin(), all_, entry);
         }
     }
     if (is_new) try {
@@ -215,7 +215,7 @@ RecentScenes::Read RecentScenes::get(const Key& key, const std::function<Read()>
         } catch (const std::bad_alloc&) {  // not what is wrong with the scene: the next one tries again
             promise.set_exception(std::current_exception());
             const std::lock_guard lock(mutex_);
-            all_.remove_if([&](const auto& one) { return one.first == key; });
+            all_.remove_if([&](const auto& kept) { return kept.first == key; });
         } catch (...) {
             promise.set_exception(std::current_exception());
         }
@@ -226,11 +226,11 @@ std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& val
     const toml::table root = table_of(grid_, values);
     scene::SceneSource from = from_;
     from.surface_of = surface;
-    auto made = std::make_shared<Scene>(scene::read_table(root, from));
-    made->solves_map = false;
-    made->inputs.clear();
-    made->warnings.clear();
-    return made;
+    auto scene = std::make_shared<Scene>(scene::read_table(root, from));
+    scene->solves_map = false;
+    scene->inputs.clear();
+    scene->warnings.clear();
+    return scene;
 }
 
 std::shared_ptr<const Scene> SceneMaker::read(const std::vector<Value>& values) {
@@ -238,9 +238,9 @@ std::shared_ptr<const Scene> SceneMaker::read(const std::vector<Value>& values) 
     RecentScenes::Key surface;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (grid_.axes[i].key.starts_with("surface.")) surface.emplace_back(values[i].place, values[i].number);
-    std::shared_ptr<const Scene> made;
-    const auto first = surfaces_.get(surface, [&] { return made = read_with(values, nullptr); });
-    return made ? made : read_with(values, first.get());
+    std::shared_ptr<const Scene> scene;
+    const auto first = surfaces_.get(surface, [&] { return scene = read_with(values, nullptr); });
+    return scene ? scene : read_with(values, first.get());
 }
 
 std::shared_ptr<const Scene> SceneMaker::cached(const std::vector<Value>& values) {
@@ -277,9 +277,9 @@ void SceneMaker::put(const std::vector<Value>& values, Work& work) {
             return;
         }
     }
-    if (auto found = cached(values); found != work.read) {
-        work.scene = *found;
-        work.read = std::move(found);
+    if (auto read = cached(values); read != work.read) {
+        work.scene = *read;
+        work.read = std::move(read);
     }
     for (std::size_t i = 0; i < values.size(); ++i)
         if (const auto [number, place] = setters_[i]; number) number->put(work.scene, place, values[i].number);

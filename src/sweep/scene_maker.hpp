@@ -6,7 +6,7 @@
 // Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
 
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "sweep/grid.hpp"
 
 #include <array>
@@ -55,7 +55,7 @@ public:
     struct Work {
         std::shared_ptr<const scene::Scene> read;  ///< what `scene` was copied from
         scene::Scene scene;
-        std::vector<scene::MadeContact> contacts;
+        std::vector<detail::MadeContact> contacts;
         std::vector<Value> made_for{};  ///< whose contacts these are; empty: nobody's
     };
     /// The scene with \p values in work.scene, and its contacts, which stay where only the point is another.

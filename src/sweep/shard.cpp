@@ -13,7 +13,7 @@
 namespace fstiff::sweep {
 namespace {
 
-std::optional<std::uint64_t> whole(std::string_view text) {
+std::optional<std::uint64_t> number_in(std::string_view text) {
     std::uint64_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
@@ -24,25 +24,26 @@ std::optional<std::uint64_t> whole(std::string_view text) {
 std::optional<std::uint64_t> variable(const char* name) {
     const char* text = std::getenv(name);
     if (!text) return std::nullopt;
-    const auto number = whole(text);
+    const auto number = number_in(text);
     if (!number)
-        throw scene::option_error(std::string(name) + " = \"" + text + "\": must be a whole number for --shard auto");
+        throw document::option_error(std::string(name) + " = \"" + text +
+                                     "\": must be a whole number for --shard auto");
     return number;
 }
 
-Shard checked(std::uint64_t number, std::uint64_t of, const std::string& from) {
+Shard checked(std::uint64_t number, std::uint64_t count, const std::string& from) {
     constexpr std::uint64_t most = 1000000000;
-    if (of < 1 || of > most || number < 1 || number > of)
-        throw scene::option_error("shard " + std::to_string(number) + "/" + std::to_string(of) + " of " + from +
-                                  ": must be i/n with 1 <= i <= n");
-    return {number, of};
+    if (count < 1 || count > most || number < 1 || number > count)
+        throw document::option_error("shard " + std::to_string(number) + "/" + std::to_string(count) + " of " + from +
+                                     ": must be i/n with 1 <= i <= n");
+    return {number, count};
 }
 
 Shard of_environment() {
     if (const auto task = variable("SLURM_ARRAY_TASK_ID")) {
         const auto count = variable("SLURM_ARRAY_TASK_COUNT"), least = variable("SLURM_ARRAY_TASK_MIN");
         if (!count)
-            throw scene::option_error(
+            throw document::option_error(
                 "SLURM_ARRAY_TASK_COUNT is not set; --shard auto needs it with SLURM_ARRAY_TASK_ID");
         const std::uint64_t step = variable("SLURM_ARRAY_TASK_STEP").value_or(1), begin = least.value_or(1);
         const std::string name = "SLURM_ARRAY_TASK_ID " + std::to_string(*task);
@@ -53,10 +54,11 @@ Shard of_environment() {
     for (const auto& [rank, size] : pairs)
         if (const auto number = variable(rank)) {
             const auto of = variable(size);
-            if (!of) throw scene::option_error(std::string(size) + " is not set; --shard auto needs it with " + rank);
+            if (!of)
+                throw document::option_error(std::string(size) + " is not set; --shard auto needs it with " + rank);
             return checked(*number + 1, *of, rank);
         }
-    throw scene::option_error(
+    throw document::option_error(
         "--shard auto: neither SLURM_ARRAY_TASK_ID nor OMPI_COMM_WORLD_RANK nor PMI_RANK is set; must run in a Slurm "
         "job array or under mpirun, or be given as i/n");
 }
@@ -75,9 +77,9 @@ std::string Shard::text() const { return std::to_string(number) + "/" + std::to_
 Shard parse_shard(const std::string& text) {
     if (text == "auto") return of_environment();
     const std::size_t slash = text.find('/');
-    const auto number = whole(std::string_view(text).substr(0, slash));
-    const auto of = slash == std::string::npos ? std::nullopt : whole(std::string_view(text).substr(slash + 1));
-    if (!number || !of) throw scene::option_error("--shard \"" + text + "\": must be i/n such as 3/8, or auto");
+    const auto number = number_in(std::string_view(text).substr(0, slash));
+    const auto of = slash == std::string::npos ? std::nullopt : number_in(std::string_view(text).substr(slash + 1));
+    if (!number || !of) throw document::option_error("--shard \"" + text + "\": must be i/n such as 3/8, or auto");
     return checked(*number, *of, "--shard");
 }
 

@@ -42,7 +42,7 @@ toml::table table_of(const Grid& grid, const std::vector<Value>& values) {
         if (!grid.form->listed[i].empty())
             grid.form->listed[i][values[i].place].visit([&](const auto& node) { put(root, axis.key, node); });
         else if (!axis.unit.empty())
-            put(root, axis.key, scene::shortest(number) + " " + axis.unit);
+            put(root, axis.key, document::shortest(number) + " " + axis.unit);
         else if (axis.whole && number == std::round(number))
             put(root, axis.key, static_cast<std::int64_t>(number));
         else

@@ -10,7 +10,7 @@
 #include <fstiff/tabulated/tangential_law.hpp>
 #include <fstiff/topography/form.hpp>
 
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -109,7 +109,7 @@ int main(int, char** argv) {
         std::string(scene::builtin_scene) +  // which ends with [contact]
         "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n"
         "peaks = [{ theta = \"pi/4\", r = \"exponential\" }, { theta = \"pi/3\", r = \"exponential\" }]\n";
-    const scene::Results scene = scene::compute(scene::read_scene(text, {.name = "builtin"}));
+    const actions::Results scene = actions::compute(scene::read_scene(text, {.name = "builtin"}));
     std::ofstream(std::string(argv[2]) + ".scene", std::ios::binary) << text;
     for (std::size_t i = 0; i < 5; ++i) {
         std::vector<double> at_pressures, stiffness;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every sentence that advises something is tested by following it, over the scenes of data/ and docs/ and the
 // files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
-#include "scene/explanation.hpp"
+#include "actions/explanation.hpp"
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -11,7 +11,7 @@
 
 namespace advice_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -180,11 +180,11 @@ int follow(const Text& of, const std::string& sentence) {
 
 /// All sentences about \p results. The explanation has at most three, and nothing asks for a law that was not
 /// computed.
-std::vector<std::string> sentences_of(const scene::Scene& read, const scene::Results& results) {
+std::vector<std::string> sentences_of(const scene::Scene& read, const actions::Results& results) {
     std::vector<std::string> all = results.explanation;
     CHECK(all.size() <= 3);
     for (const std::string& sentence : all) CHECK(sentence.find(". ") == std::string::npos);
-    all.push_back(outside_band(read, results));
+    all.push_back(actions::outside_band(read, results));
     for (const auto* more : {&results.short_explanation, &results.warnings})
         all.insert(all.end(), more->begin(), more->end());
     if (test::face(read).measured)
@@ -204,7 +204,7 @@ TEST_CASE("Advice in the explanation and the warnings of a scene can be followed
     for (const Text& of : all) {
         INFO(of.file);
         const scene::Scene read = test::scene_of(of.text, of.file);
-        for (const std::string& sentence : sentences_of(read, compute(read))) followed += follow(of, sentence);
+        for (const std::string& sentence : sentences_of(read, actions::compute(read))) followed += follow(of, sentence);
     }
     CHECK(followed >= 5);  // the area of most of them is not known
 }
@@ -214,7 +214,7 @@ TEST_CASE(
     int refused = 0;
     for (const Text& of : scenes()) {
         if (test::contains(of.text, "shared/surfaces")) continue;  // a large map: its explanation is followed above
-        for (const scene::Law& law : scene::laws()) {
+        for (const detail::Law& law : detail::laws()) {
             INFO(of.file << ", law " << law.name);
             CHECK(refusal_in_the_end({with_law_alone(of.text, std::string(law.name)), of.file}, &refused) == "");
         }
@@ -254,12 +254,12 @@ TEST_CASE("Advice about holes, spikes, a lay and waviness can be followed") {
     std::string said;
     for (const Text& of : all) {
         const scene::Scene read = test::scene_of(of.text, of.file);
-        for (const std::string& sentence : sentences_of(read, compute(read))) {
+        for (const std::string& sentence : sentences_of(read, actions::compute(read))) {
             (void)follow(of, sentence);
             said += sentence + "\n";
         }
-        for (const scene::Law& law : scene::laws())
-            if (const std::string why = refusal_of(law, read); !why.empty())
+        for (const detail::Law& law : detail::laws())
+            if (const std::string why = scene::refusal_of(law, read); !why.empty())
                 (void)follow({with_line(with_line(of.text, "[material.upper]", "yield_strength = \"1 GPa\""),
                                         "[surface]", "fractal_dimension = 1.5"),
                               of.file},
@@ -284,7 +284,8 @@ TEST_CASE("Advice about the files of tests/data is a key that their scene takes"
                           "s.toml"};
             scene::Scene read;
             if (!test::refusal([&] { read = test::scene_of(of.text, of.file); }).empty()) continue;
-            for (const std::string& sentence : sentences_of(read, compute(read))) followed += follow(of, sentence);
+            for (const std::string& sentence : sentences_of(read, actions::compute(read)))
+                followed += follow(of, sentence);
         }
     }
     CHECK(followed >= 2);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone;
 // the statements of docs/scene.md about it, one by one.
-#include "scene/explanation.hpp"
-#include "scene/joint.hpp"
+#include "actions/explanation.hpp"
 
 #include "support/library.hpp"
 
@@ -10,7 +9,7 @@
 
 namespace answer_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using nlohmann::json;
 using test::contains;
 
@@ -43,11 +42,13 @@ std::string map_of(const test::Folder& folder, int points) {
 
 struct Answered {
     scene::Scene of;
-    scene::Results results;
+    actions::Results results;
     json rows;  ///< of the JSON document
 
     explicit Answered(const std::string& text, const std::string& file = "s.toml")
-        : of(test::scene_of(text, file)), results(compute(of)), rows(test::parsed(answer_json(of, results))) {}
+        : of(test::scene_of(text, file)),
+          results(actions::compute(of)),
+          rows(test::parsed(actions::answer_json(of, results))) {}
 
     [[nodiscard]] std::string law(std::size_t row) const { return rows.at(row).at("law"); }
     [[nodiscard]] double K(std::size_t row) const { return rows.at(row).at("stiffness_Pa_per_m"); }
@@ -65,7 +66,7 @@ void check_rows(const json& rows) {
                      high = row.at("stiffness_p95_Pa_per_m");
         CHECK((0 < low && low < K && K < high));
         CHECK(double(row.at("pressure_Pa")) > 0);
-        CHECK(scene::find_law(std::string(row.at("law"))));
+        CHECK(detail::find_law(std::string(row.at("law"))));
         double sum = 0;
         for (const double share : row.at("causes")) sum += share;
         CHECK(std::abs(sum - 1) < 1e-12);
@@ -234,8 +235,8 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
     const Answered none(text_of(numbers, wide)), large = of_area("100 mm^2"), small = of_area("0.01 mm^2");
     CHECK_FALSE(none.rows[0].contains("stiffness_N_per_m"));
     CHECK_FALSE(none.rows[0].contains("contacts"));
-    CHECK(contains(outside_band(none.of, none.results), "few contacts"));
-    CHECK_FALSE(contains(outside_band(large.of, large.results), "contacts"));
+    CHECK(contains(actions::outside_band(none.of, none.results), "few contacts"));
+    CHECK_FALSE(contains(actions::outside_band(large.of, large.results), "contacts"));
     for (std::size_t i = 0; i < 9; ++i) {
         CHECK(test::relative_error(double(large.rows[i].at("stiffness_N_per_m")), large.K(i) * 1e-4) < 1e-14);
         CHECK(test::relative_error(double(large.rows[i].at("contacts")), 1e4 * double(small.rows[i].at("contacts"))) <
@@ -256,8 +257,9 @@ TEST_CASE("A map is the contact itself, or a piece of a larger one if nominal_ar
     const Answered itself(text_of(map, contact)), piece(text_of(map, "nominal_area = \"1 mm^2\"\n" + contact));
     CHECK(itself.results.answer->of_map_itself);
     CHECK_FALSE(piece.results.answer->of_map_itself);
-    CHECK(contains(outside_band(itself.of, itself.results), "other parts of the face (give contact.nominal_area)."));
-    CHECK_FALSE(contains(outside_band(piece.of, piece.results), "nominal_area"));
+    CHECK(contains(actions::outside_band(itself.of, itself.results),
+                   "other parts of the face (give contact.nominal_area)."));
+    CHECK_FALSE(contains(actions::outside_band(piece.of, piece.results), "nominal_area"));
     CHECK(itself.rows[0].at("causes").size() < piece.rows[0].at("causes").size());
     CHECK(piece.width(0) > itself.width(0));
 }
@@ -292,7 +294,7 @@ TEST_CASE("A profile across a lay widens the band upward, and the answer reports
 
 TEST_CASE("The table of the answer has a row for each of its points, and fits the page") {
     const Answered answer(text_of(numbers, "nominal_area = \"1 mm^2\"\n" + wide, "hardness = \"1 GPa\"\n"));
-    const auto table = answer_table(answer.of, answer.results);
+    const auto table = actions::answer_table(answer.of, answer.results);
     REQUIRE(table.size() == 10);
     CHECK(table[0] == std::vector<std::string>{"pressure", "K/A0 [MPa/µm]", "90 % band", "K [N/µm]", "loading K/A0",
                                                "law    ", table[0].back()});
@@ -346,24 +348,25 @@ TEST_CASE("The measurement advised next narrows the band most, and by the printe
     const std::string metal = "hardness = \"2.6 GPa\"\n";
     const Answered little(text_of("[surface]\nRa = \"0.8 um\"\n", wide, metal)),
         more(text_of("[surface]\nRa = \"0.8 um\"\nSdq = 0.2\n", wide, metal));
-    const std::string next = measure_next(little.of, little.results), start = "measure Sdq or Rdq: the band at 10 MPa ";
+    const std::string next = actions::measure_next(little.of, little.results),
+                      start = "measure Sdq or Rdq: the band at 10 MPa ";
     INFO(next);
     REQUIRE(next.starts_with(start + "narrows from a factor of "));
     double from = 0, to = 0;
     REQUIRE(std::sscanf(next.c_str() + start.size(), "narrows from a factor of %lf to %lf", &from, &to) == 2);
     CHECK(test::relative_error(from, little.width(4)) < 0.05);
     CHECK(test::relative_error(to, more.width(4)) < 0.05);
-    CHECK(test::parsed(run_document(little.of, little.results)).at("measure_next") == next);
-    CHECK(measure_next(more.of, more.results).starts_with("measure skewness and kurtosis"));
+    CHECK(test::parsed(actions::run_document(little.of, little.results)).at("measure_next") == next);
+    CHECK(actions::measure_next(more.of, more.results).starts_with("measure skewness and kurtosis"));
     const Answered all(text_of(numbers + "skewness = 0\nkurtosis = 3\n", wide, metal));
-    CHECK(measure_next(all.of, all.results).empty());
-    CHECK_FALSE(test::parsed(run_document(all.of, all.results)).contains("measure_next"));
+    CHECK(actions::measure_next(all.of, all.results).empty());
+    CHECK_FALSE(test::parsed(actions::run_document(all.of, all.results)).contains("measure_next"));
 }
 
 TEST_CASE("The band excludes a worn or honed face where the shape of the heights is not given") {
     const auto outside = [](const std::string& keys) {
         const Answered one(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, wide));
-        return outside_band(one.of, one.results);
+        return actions::outside_band(one.of, one.results);
     };
     CHECK(contains(outside(""), "for a worn or honed face K may be several times higher (give process, or skewness"));
     for (const char* keys : {"process = \"honed\"\n", "skewness = 0\nkurtosis = 3\n"})
@@ -372,7 +375,7 @@ TEST_CASE("The band excludes a worn or honed face where the shape of the heights
 
 TEST_CASE("Without a measurement no band is described as sampled from errors") {
     const auto origin = [](const std::string& keys, const std::string& laws) {
-        return origin_of_band(test::scene_of(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, laws + wide)));
+        return actions::origin_of_band(test::scene_of(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, laws + wide)));
     };
     const std::string hybrid = "laws = [\"hybrid\"]\n", error = "errors = { Ra = \"0.1 um\" }\n";
     CHECK(origin("", hybrid) == "unknown parameters of the surface");

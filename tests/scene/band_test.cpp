@@ -37,8 +37,8 @@ TEST_CASE("The band holds K at half and twice the root of two of lambda_s, and t
     REQUIRE(whole.curves.size() >= 2);
     for (std::size_t c = 0; c < whole.curves.size(); ++c)
         for (std::size_t i = 0; i < 2; ++i) {
-            INFO(title(whole.curves[c]) << ", point " << i);
-            const auto stiffness = [&](const fstiff::scene::Results& one) {
+            INFO(fstiff::actions::title(whole.curves[c]) << ", point " << i);
+            const auto stiffness = [&](const fstiff::actions::Results& one) {
                 return one.curves[c].states[i].stiffness.value;
             };
             const double K = stiffness(whole), a = stiffness(less), b = stiffness(more);

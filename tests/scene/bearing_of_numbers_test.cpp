@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hybrid and plastic of numbers and traces with a bearing curve. Truth: the Gaussian law, the library's hybrid_of_band,
 // and the same surface written in another way.
-#include "scene/one_contact.hpp"
-#include "scene/results.hpp"
+#include "actions/measure.hpp"
+#include "actions/one_contact.hpp"
+#include "actions/results.hpp"
 #include "scene/scene.hpp"
-#include "surface/documents.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
@@ -35,7 +35,7 @@ scene::Scene read(const std::string& surface, std::string text = rest) {
 }
 std::vector<double> stiffnesses(const scene::Scene& scene) {
     std::vector<double> all;
-    for (const auto& curve : scene::compute(scene).curves)
+    for (const auto& curve : actions::compute(scene).curves)
         for (const auto& state : curve.states) all.push_back(state.stiffness.value);
     return all;
 }
@@ -100,7 +100,7 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
                 .effective_modulus = modulus};
     const std::vector<double> pressure{1e8};
     const auto stiffness = [&] {
-        return scene::contact_of("hybrid", plain)
+        return actions::make_contact("hybrid", plain)
             .contact->at_pressures(pressure, Quantity::stiffness)[0]
             .state.stiffness.value;
     };
@@ -186,7 +186,7 @@ TEST_CASE("hybrid of a trace takes its skewness and kurtosis as far as they are 
     const auto gaussian = stiffnesses(text + "skewness = 0\nkurtosis = 3\n");
     CHECK(found[0] < 0.8 * gaussian[0]);
     // of the JSON of fstiff measure the same as of the file
-    const scene::MeasuredSurface& measured = test::measured_of(skewed);
+    const surface::MeasuredSurface& measured = test::measured_of(skewed);
     std::ofstream(folder / "measured.json") << test::values_of(*measured.how, measured).str();
     const std::string json = "[surface]\nfrom = \"" + std::string(folder / "measured.json") + "\"\n";
     CHECK(largest_change(stiffnesses(json), found) < 1e-12);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns: names, units and headings of every quantity; CSV and JSON of any bytes. Truth: lists by hand, nlohmann.
-#include "scene/result_rows.hpp"
+#include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -12,12 +12,12 @@
 
 namespace column_test {
 
-using namespace fstiff::scene;
+using namespace fstiff;
 
 TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
-    using enum CurveQuantity;
+    using enum fstiff::scene::CurveQuantity;
     struct Expected {
-        CurveQuantity quantity;
+        scene::CurveQuantity quantity;
         std::string key, band_key, unit, heading;
     };
     const std::vector<Expected> all{
@@ -42,41 +42,41 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
          "electrical h [S/m²]"},
         {real_area, "real_area_fraction", "real_area_fraction_p05", "", "real area"},
         {contacts, "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
-    REQUIRE(curve_quantities().size() == all.size());
-    const Units units{.pressure = unit_of_pressure(3e6),
-                      .height = unit_of_length(1e-6),
-                      .density = unit_of_density(5e8),
-                      .force = shown_unit(2e4, "N"),
-                      .joint_stiffness = shown_unit(5e10, "N/m")};
+    REQUIRE(fstiff::scene::curve_quantities().size() == all.size());
+    const actions::Units units{.pressure = fstiff::document::unit_of_pressure(3e6),
+                               .height = fstiff::document::unit_of_length(1e-6),
+                               .density = fstiff::document::unit_of_density(5e8),
+                               .force = fstiff::document::shown_unit(2e4, "N"),
+                               .joint_stiffness = fstiff::document::shown_unit(5e10, "N/m")};
     for (const Expected& one : all) {
         INFO(one.key);
-        const Column value{one.quantity}, low{one.quantity, Statistic::p05};
+        const scene::Column value{one.quantity}, low{one.quantity, scene::Statistic::p05};
         CHECK(value.row().quantity == one.quantity);
         CHECK(value.key() == one.key);
         CHECK(low.key() == one.band_key);
         CHECK(value.row().unit == one.unit);
-        CHECK(heading_of(value, units).shown == one.heading);
-        CHECK(heading_of(value, units).key == one.key);
+        CHECK(fstiff::actions::heading_of(value, units).shown == one.heading);
+        CHECK(fstiff::actions::heading_of(value, units).key == one.key);
         const std::size_t bracket = one.heading.find(" [");
         const std::string unit = bracket == std::string::npos ? "" : one.heading.substr(bracket);
-        CHECK(heading_of(low, units).shown == "5 %" + unit);
+        CHECK(fstiff::actions::heading_of(low, units).shown == "5 %" + unit);
     }
-    CHECK(heading_of({separation}, units).factor == 1e6);
-    CHECK(heading_of({stiffness, Statistic::error}, units).shown == "numerical error [Pa/m]");
-    CHECK(heading_of({reflection, Statistic::error}, units).shown.empty());
+    CHECK(fstiff::actions::heading_of({separation}, units).factor == 1e6);
+    CHECK(fstiff::actions::heading_of({stiffness, scene::Statistic::error}, units).shown == "numerical error [Pa/m]");
+    CHECK(fstiff::actions::heading_of({reflection, scene::Statistic::error}, units).shown.empty());
 }
 
 TEST_CASE("The columns of a curve are its states, and the band of a reflection is that of K turned round") {
-    Scene scene;
-    using enum CurveQuantity;
+    scene::Scene scene;
+    using enum fstiff::scene::CurveQuantity;
     for (const auto quantity : {stiffness, reflection, tangential_stiffness, joint_stiffness, approach})
         scene.ask(quantity);
     scene.nominal_area = 2e-4;
     scene.upper = scene.lower = {200e9, 0.25};
     constexpr double ratio = 2 * (1 - 0.25) / (2 - 0.25);  // of two equal bodies, by Mindlin
     scene.ultrasound = fstiff::Waves{.frequency = 5e6, .longitudinal = {46e6, 46e6}, .shear = {}};
-    Curve curve;
-    curve.law = find_law("hertz");
+    actions::Curve curve;
+    curve.law = fstiff::detail::find_law("hertz");
     fstiff::ContactState<double> state;
     state.pressure.value = 1e6;
     state.stiffness = {2e14, 1e5, 0};
@@ -86,46 +86,47 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     curve.states = {state};
     curve.seated = {5e-6};
     curve.band = {{.low = 1e14, .high = 4e14}};
-    curve.columns = columns_of(scene, curve, true);
-    const auto at = [&](CurveQuantity quantity, Statistic statistic = Statistic::value) {
+    curve.columns = fstiff::scene::columns_of(scene, curve, true);
+    const auto at = [&](scene::CurveQuantity quantity, scene::Statistic statistic = scene::Statistic::value) {
         return curve.value_at(3, quantity, statistic).value();
     };
     CHECK(at(pressure) == 1e6);
-    CHECK(at(stiffness, Statistic::p05) == 1e14);
+    CHECK(at(stiffness, scene::Statistic::p05) == 1e14);
     CHECK(at(joint_stiffness) == 2e14 * 2e-4);
-    CHECK(at(joint_stiffness, Statistic::p95) == 4e14 * 2e-4);
-    CHECK(at(joint_stiffness, Statistic::error) == 1e5 * 2e-4);
+    CHECK(at(joint_stiffness, scene::Statistic::p95) == 4e14 * 2e-4);
+    CHECK(at(joint_stiffness, scene::Statistic::error) == 1e5 * 2e-4);
     CHECK(at(approach) == 5e-6 - 2e-6);
-    CHECK(!curve.value_at(3, approach, Statistic::p05));
+    CHECK(!curve.value_at(3, approach, scene::Statistic::p05));
     CHECK(!curve.value_at(3, force));
-    CHECK(test::relative_error(at(tangential_stiffness, Statistic::p95), ratio * 4e14) < 1e-15);
-    CHECK(test::relative_error(at(tangential_stiffness, Statistic::error), ratio * 1e5) < 1e-15);
+    CHECK(test::relative_error(at(tangential_stiffness, scene::Statistic::p95), ratio * 4e14) < 1e-15);
+    CHECK(test::relative_error(at(tangential_stiffness, scene::Statistic::error), ratio * 1e5) < 1e-15);
     const auto reflected = [](double k) { return 1 / std::hypot(1, 2 * k / (2 * std::acos(-1.0) * 5e6 * 46e6)); };
     CHECK(test::relative_error(at(reflection), reflected(2e14)) < 1e-14);
-    CHECK(test::relative_error(at(reflection, Statistic::p05), reflected(4e14)) < 1e-14);
-    CHECK(test::relative_error(at(reflection, Statistic::p95), reflected(1e14)) < 1e-14);
+    CHECK(test::relative_error(at(reflection, scene::Statistic::p05), reflected(4e14)) < 1e-14);
+    CHECK(test::relative_error(at(reflection, scene::Statistic::p95), reflected(1e14)) < 1e-14);
     CHECK(!curve.value_at(2, pressure));
     CHECK(!curve.value_at(3, separation));
-    CHECK(columns_of(scene, curve, false).size() == curve.columns.size() - 8);
+    CHECK(fstiff::scene::columns_of(scene, curve, false).size() == curve.columns.size() - 8);
     curve.seated.clear();  // out of the law's reach: the column is there, without values
-    CHECK(columns_of(scene, curve, true).size() == curve.columns.size());
+    CHECK(fstiff::scene::columns_of(scene, curve, true).size() == curve.columns.size());
     curve.band.clear();  // of a law that does not vary: the same columns, without values
-    CHECK(columns_of(scene, curve, true).size() == curve.columns.size());
+    CHECK(fstiff::scene::columns_of(scene, curve, true).size() == curve.columns.size());
 }
 
 TEST_CASE("A line of CSV is as RFC 4180 has it") {
-    CHECK(csv_line({"plain", "", "b,c.csv", "5\" pipe", "\"all\"", " kept ", "a\"\"b", ","}) ==
+    CHECK(fstiff::document::csv_line({"plain", "", "b,c.csv", "5\" pipe", "\"all\"", " kept ", "a\"\"b", ","}) ==
           R"(plain,,"b,c.csv","5"" pipe","""all""", kept ,"a""""b",",")"
           "\n");
-    CHECK(csv_line({"one"}) == "one\n");
-    CHECK(csv_line({"two\nlines", ""}) == "\"two\nlines\",\n");
+    CHECK(fstiff::document::csv_line({"one"}) == "one\n");
+    CHECK(fstiff::document::csv_line({"two\nlines", ""}) == "\"two\nlines\",\n");
 
-    Rows rows = Rows::under({{"name", "name"}, {"length_m", "length [mm]", 1e3, 2}, {.key = "count", .csv = false}});
+    document::Rows rows =
+        document::Rows::under({{"name", "name"}, {"length_m", "length [mm]", 1e3, 2}, {.key = "count", .csv = false}});
     rows.add_row({"a,b", 0.0125, 3});
-    rows.add_row({"c", Cell(), 4});
+    rows.add_row({"c", document::Cell(), 4});
     CHECK(rows.csv() == "name,length_m\n\"a,b\",0.012500000000000001\nc,\n");
-    CHECK(rows.table() == TextRows{{"name", "length [mm]"}, {"a,b", "12"}, {"c", "-"}});
-    Json list;
+    CHECK(rows.table() == document::TextRows{{"name", "length [mm]"}, {"a,b", "12"}, {"c", "-"}});
+    document::Json list;
     rows.append_to(list);
     const auto parsed = nlohmann::json::parse(list.str());
     CHECK(parsed[0] == nlohmann::json{{"name", "a,b"}, {"length_m", 0.0125}, {"count", 3}});
@@ -134,25 +135,26 @@ TEST_CASE("A line of CSV is as RFC 4180 has it") {
 
 TEST_CASE("A JSON document is valid whatever its bytes are, and numbers are finite") {
     const auto read = [](const std::string& bytes) {
-        return nlohmann::json::parse(json_text(bytes)).get<std::string>();
+        return nlohmann::json::parse(fstiff::document::json_text(bytes)).get<std::string>();
     };
     const std::string plain = "a \"b\" \\ \n\t \x7f \xC2\x85 5 \xC2\xB5m \xE2\x80\x93 \xF0\x9F\x94\xA9";
     CHECK(read(plain) == plain);
-    CHECK(json_text("\x7f\xC2\x85\x01") == "\"\\u007f\\u0085\\u0001\"");
+    CHECK(fstiff::document::json_text("\x7f\xC2\x85\x01") == "\"\\u007f\\u0085\\u0001\"");
     const std::string unknown = "\xEF\xBF\xBD";
     CHECK(read("5 \xB5m") == "5 " + unknown + "m");  // Latin-1
     CHECK(read("\xE2\x80").find(unknown) == 0);
     const auto whole = std::numeric_limits<std::uint64_t>::max();
-    Json document{{"\xB5", nullptr}, {"all", {true, -3, whole, 0.1, "x"}}, {"none", Json::array()}, {"of", {{"a", 1}}}};
-    document["of"]["b"] = Json(std::vector<double>{1.5, 2});
+    document::Json document{
+        {"\xB5", nullptr}, {"all", {true, -3, whole, 0.1, "x"}}, {"none", document::Json::array()}, {"of", {{"a", 1}}}};
+    document["of"]["b"] = document::Json(std::vector<double>{1.5, 2});
     document.update({{"all", 7}});
     CHECK(document.str() == "{\n  \"" + unknown +
                                 "\": null,\n  \"all\": 7,\n  \"none\": [],\n  \"of\": {\n    \"a\": 1,\n    \"b\": "
                                 "[\n      1.5,\n      2.0\n    ]\n  }\n}\n");
-    CHECK(Json{true, -3, whole, 0.1}.str() == "[\n  true,\n  -3,\n  18446744073709551615,\n  0.1\n]\n");
-    CHECK_THROWS_AS(Json(std::nan("")), std::logic_error);
-    CHECK_THROWS_AS(Json(std::numeric_limits<double>::infinity()), std::logic_error);
-    CHECK_THROWS(Json(1)["a"]);
+    CHECK(document::Json{true, -3, whole, 0.1}.str() == "[\n  true,\n  -3,\n  18446744073709551615,\n  0.1\n]\n");
+    CHECK_THROWS_AS(document::Json(std::nan("")), std::logic_error);
+    CHECK_THROWS_AS(document::Json(std::numeric_limits<double>::infinity()), std::logic_error);
+    CHECK_THROWS(document::Json(1)["a"]);
 }
 
 }  // namespace column_test

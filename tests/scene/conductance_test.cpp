@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat and current through a contact: k K/E of every law, the gap in parallel, and refusals.
-#include "scene/result_rows.hpp"
-#include "scene/results.hpp"
+#include "actions/results.hpp"
+#include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -18,14 +18,14 @@ namespace conductance_scene_test {
 
 namespace {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using test::results_of;
 using enum scene::CurveQuantity;
 
 const std::string surface = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 5\n",
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n";
 
-double at(const scene::Results& found, scene::CurveQuantity quantity,
+double at(const actions::Results& found, scene::CurveQuantity quantity,
           scene::Statistic statistic = scene::Statistic::value) {
     const auto value = found.curves.front().value_at(1, quantity, statistic);
     REQUIRE(value);

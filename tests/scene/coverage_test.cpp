@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The band of K of one trace, against K of the mean spectrum of 100 traces of one process and its D.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "surface/measured_surface.hpp"
 
 #include "cli/command.hpp"
@@ -14,7 +14,7 @@
 
 namespace coverage_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -40,7 +40,7 @@ std::string trace(double hurst, double longest, std::uint64_t seed, std::size_t 
 
 /// [surface] with the numbers of the mean spectrum of \p files and the D of the process.
 std::string process(double hurst, const std::vector<std::string>& files) {
-    scene::MeasureOptions how;
+    surface::MeasureOptions how;
     how.input.units = "m";
     how.input.lambda_s = "40 um", how.input.lambda_c = "none";
     how.neighbours = false;
@@ -48,7 +48,7 @@ std::string process(double hurst, const std::vector<std::string>& files) {
     std::ostringstream numbers;
     numbers.precision(17);
     numbers << "[surface]\nfractal_dimension = " << 2 - hurst << '\n';
-    for (const auto& line : parameter_lines(scene::measure_files(how, files)))
+    for (const auto& line : surface::parameter_lines(surface::measure_files(how, files)))
         if (line.name == "r" || line.name == "theta")
             numbers << line.name << " = " << line.measured.value << '\n';
         else if (line.name == "rms_height" || line.name == "peak_radius" || line.name == "peak_density")
@@ -70,17 +70,17 @@ TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of trace
         std::vector<std::string> files;
         for (std::uint64_t seed = 1; seed <= 100; ++seed)
             files.push_back(folder.write(std::to_string(seed) + ".csv", trace(hurst, longest, seed, step)));
-        const auto truth = compute(scene::read_scene(process(hurst, files) + rest, {.name = "truth"}));
+        const auto truth = actions::compute(scene::read_scene(process(hurst, files) + rest, {.name = "truth"}));
         std::array<int, 2> covered{};
         int computed = 0;
         for (const std::string& file : files) {
-            scene::Results found;
+            actions::Results found;
             try {
-                found = compute(scene::read_scene("[surface]\nfrom = \"" + file +
-                                                      "\"\nunits = \"m\"\nlambda_s = \"40 um\"\nlambda_c = "
-                                                      "\"none\"\n" +
-                                                      rest,
-                                                  {.name = "trace"}));
+                found = actions::compute(scene::read_scene("[surface]\nfrom = \"" + file +
+                                                               "\"\nunits = \"m\"\nlambda_s = \"40 um\"\nlambda_c = "
+                                                               "\"none\"\n" +
+                                                               rest,
+                                                           {.name = "trace"}));
             } catch (const fstiff::domain_error&) {  // no half decade of lags is a power law: no D
                 continue;
             }

@@ -158,8 +158,8 @@ TEST_CASE("A file that is too short or too coarse for a default has none, and th
     CHECK(short_one["lambda_s_m"] == 2.5e-6);
     CHECK(short_one["roughness"]["lambda_c_m"].is_null());
     const auto why = [](const std::string& bytes) {
-        const auto measured = fstiff::scene::measure_surface({}, bytes);
-        return fstiff::scene::sentence_of(fstiff::scene::roughness_of(measured).cut_offs);
+        const auto measured = fstiff::surface::measure_surface({}, bytes);
+        return fstiff::surface::sentence_of(fstiff::actions::roughness_of(measured).cut_offs);
     };
     CHECK(test::contains(why(test::profile_text(700, 0.5e-6, {.hurst = 0.5, .rms = 1e-6})),
                          "does not hold five of 80 µm"));
@@ -212,7 +212,7 @@ TEST_CASE("Cut-offs that a file cannot hold are refused in one sentence") {
     const std::string gaussian = "--units um --spacing '1 um' --detrend gaussian --cutoff '80 um'";
     test::check_sentence(test::refusal([&] { (void)test::fitted(gaussian + " --lambda-c '40 um'", profile); }),
                          {"--cutoff", "another cut-off"});
-    CHECK_THROWS_AS(test::fitted(gaussian + " --lambda-c '40 um'", profile), fstiff::scene::option_error);
+    CHECK_THROWS_AS(test::fitted(gaussian + " --lambda-c '40 um'", profile), fstiff::document::option_error);
     CHECK(test::measured(gaussian, profile)["lambda_c_m"] == 80e-6);
 }
 
@@ -238,7 +238,7 @@ TEST_CASE("A face has the waves of a contact larger than its trace, measured now
     CHECK(unmeasured("trace.json").at_least == direct.at_least);
     auto wrong = document;
     wrong["long_end"]["open"] = 2;
-    test::check_sentence(test::refusal([&] { (void)fstiff::scene::read_measured_document(wrong.dump(), "m.json"); }),
+    test::check_sentence(test::refusal([&] { (void)fstiff::surface::read_measured_document(wrong.dump(), "m.json"); }),
                          {"m.json: long_end.open: must be from 0 to 1"});
     document.erase("long_end");  // of an older fstiff
     folder.write("older.json", document.dump());

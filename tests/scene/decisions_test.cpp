@@ -4,14 +4,14 @@
 #include "support/half_space_maps.hpp"
 #include "support/library.hpp"
 
-#include "scene/overclosure.hpp"
+#include "actions/overclosure.hpp"
 
 #include <cmath>
 #include <numbers>
 
 namespace decisions_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using test::contains;
 
 namespace {
@@ -23,7 +23,7 @@ const std::string islands = "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npea
 const std::string modulus_and_law = "laws = [\"hybrid\"]\n";
 
 std::string surface(const std::string& keys) { return "[surface]\n" + keys + rest; }
-double stiffness(const scene::Results& results, std::size_t point = 0) {
+double stiffness(const actions::Results& results, std::size_t point = 0) {
     return results.curves.front().states.at(point).stiffness.value;
 }
 
@@ -48,7 +48,8 @@ TEST_CASE("alpha and R give the mean square slope, and so the rms gradient and p
     CHECK(test::relative_error(*results.curves.front().rms_gradient, gradient) < 1e-13);
     // and K is that of the moments that these are
     const auto written = test::results_of(
-        surface("rms_height = \"1 um\"\nalpha = 8\nrms_gradient = " + scene::exact(gradient) + "\n") + modulus_and_law);
+        surface("rms_height = \"1 um\"\nalpha = 8\nrms_gradient = " + document::exact(gradient) + "\n") +
+        modulus_and_law);
     CHECK(test::relative_error(stiffness(results), stiffness(written)) < 1e-12);
 }
 
@@ -125,8 +126,8 @@ TEST_CASE("The error of K of two maps holds the scatter of one shift, by n - 1")
 TEST_CASE("A table of pressures keeps its tolerance and has no row that it could do without") {
     const scene::Scene read = test::scene_of(test::scene_with("sand_blasted_fine", {}));
     for (const double tolerance : {1e-3, 1e-2, 0.1}) {
-        const scene::PressureTable table =
-            pressure_table(read, {.law = "hertz", .tolerance = tolerance, .slope_tolerance = 1});
+        const actions::PressureTable table =
+            actions::pressure_table(read, {.law = "hertz", .tolerance = tolerance, .slope_tolerance = 1});
         CHECK(table.error.value <= tolerance);
         CHECK(table.error.value > 0.85 * tolerance);
         // the chord of an exponential over a factor q is off by (ln q)^2/8, so that as many rows are needed
@@ -134,8 +135,10 @@ TEST_CASE("A table of pressures keeps its tolerance and has no row that it could
         CHECK(static_cast<double>(table.rows.size()) < 1.15 * rows + 3);
         CHECK(static_cast<double>(table.rows.size()) > 0.6 * rows);
     }
-    CHECK_FALSE(test::refusal([&] { (void)pressure_table(read, {.law = "hertz", .tolerance = 0.21}); }).empty());
-    CHECK_FALSE(test::refusal([&] { (void)pressure_table(read, {.law = "hertz", .tolerance = 0.9e-5}); }).empty());
+    CHECK_FALSE(
+        test::refusal([&] { (void)actions::pressure_table(read, {.law = "hertz", .tolerance = 0.21}); }).empty());
+    CHECK_FALSE(
+        test::refusal([&] { (void)actions::pressure_table(read, {.law = "hertz", .tolerance = 0.9e-5}); }).empty());
 }
 
 TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
@@ -144,7 +147,7 @@ TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
     const std::string laws = "laws = [\"hertz\"]\n[uncertainty]\nsamples = 2000\n";
     const auto banded = test::results_of(surface(islands + of_error) + laws);
     const auto at = [&](double factor) {
-        return stiffness(test::results_of(surface(test::replaced(islands, "1 um", scene::exact(factor) + " um")) +
+        return stiffness(test::results_of(surface(test::replaced(islands, "1 um", document::exact(factor) + " um")) +
                                           "laws = [\"hertz\"]\n"));
     };
     const double s = std::sqrt(std::log1p(0.02 * 0.02)), low = at(std::exp(1.6448536 * s)),
@@ -212,7 +215,7 @@ TEST_CASE("Spikes are hinted at from 30 standard deviations on, and taken out fr
     const auto text = [](double spike) {
         std::string rows;
         for (int i = 0; i < 400; ++i)
-            rows += scene::exact(i == 200 ? spike : std::sin(0.3 * i) + 0.2 * std::sin(i * i)) + "\n";
+            rows += document::exact(i == 200 ? spike : std::sin(0.3 * i) + 0.2 * std::sin(i * i)) + "\n";
         return rows;
     };
     const std::string how = "--units um --spacing '1 um' --lambda-s none --lambda-c none";

@@ -11,9 +11,9 @@
 
 namespace document_test {
 
-using fstiff::scene::Document;
-using fstiff::scene::Format;
-using fstiff::scene::Rows;
+using fstiff::document::Document;
+using fstiff::document::Format;
+using fstiff::document::Rows;
 
 TEST_CASE("A fact that is added to a document is in its text, its CSV and its JSON") {
     Document document("ultrasound", 11);
@@ -55,7 +55,7 @@ TEST_CASE("A part that is a function is called for its own form alone") {
     Document document("run");
     int text = 0, values = 0, rows = 0;
     document.text([&] { return ++text, "K\n"; });
-    document.values([&](fstiff::scene::Json& to) { to["K"] = ++values; });
+    document.values([&](fstiff::document::Json& to) { to["K"] = ++values; });
     document.csv([&] {
         Rows all;
         all.repeat({"K"}, ++rows, 1);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the contact sees of one face, of several maps of one face and of two faces. Truth: the definitions, written out;
 // sums over the maps themselves.
-#include "scene/joint.hpp"
 
 #include <fstiff/topography/map_spectrum.hpp>
 
@@ -15,7 +14,7 @@
 namespace face_test {
 
 using namespace fstiff;
-using scene::Face;
+using detail::Face;
 
 namespace {
 
@@ -42,7 +41,7 @@ Face of_maps(std::vector<HeightMap<double>> maps) {
     std::vector<std::shared_ptr<const HeightMap<double>>> shared;
     for (HeightMap<double>& map : maps) shared.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
     Face face = of_numbers();
-    face.map = scene::map_of_surface(std::move(shared));
+    face.map = detail::map_of_surface(std::move(shared));
     return face;
 }
 
@@ -152,15 +151,15 @@ TEST_CASE("H of two faces is the mean over their slopes") {
 
 TEST_CASE("K over the shifts of two maps is their mean, with the scatter of one shift as its error") {
     const Face sum = detail::sum_of_faces(of_maps({noise(24, 24, 1e-8, 5)}), of_maps({noise(24, 24, 1e-8, 6)}), 4, 11);
-    const scene::Law& law = *scene::find_law("summits");
-    scene::ContactInputs inputs{.surface = sum.roughness(), .effective_modulus = 1e11};
+    const detail::Law& law = *detail::find_law("summits");
+    detail::ContactInputs inputs{.surface = sum.roughness(), .effective_modulus = 1e11};
     inputs.options.mutual = false;
     inputs.map = sum.map.get();
     const std::vector<double> pressures{2e6, 2e7};
     const auto all = law.contact(inputs)->at_pressures(pressures, Quantity::stiffness | Quantity::separation);
     std::vector<std::vector<ContactPoint<double>>> single;
     for (std::size_t k = 0; k < 4; ++k) {
-        scene::MapOfSurface one = *sum.map;
+        detail::MapOfSurface one = *sum.map;
         one.maps = {sum.map->maps[k]};
         one.summits = {sum.map->summits[k]};
         one.first_bearing = k;

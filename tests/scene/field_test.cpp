@@ -6,16 +6,16 @@
 
 #include "cli/command.hpp"
 
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "surface/fractal.hpp"
-#include "surface/generated.hpp"
-#include "surface/islands_of_map.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
+#include "actions/export.hpp"
+#include "actions/fractal.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/islands.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/truth.hpp"
+#include "actions/ultrasound.hpp"
 #include "surface/surface_option_table.hpp"
-#include "surface/truth_of_map.hpp"
 
 #include "support/accuracy.hpp"
 
@@ -24,7 +24,7 @@
 
 namespace field_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using fstiff::request::Amount;
 using fstiff::request::Field;
 using fstiff::request::Value;
@@ -61,7 +61,7 @@ struct Owner {
 };
 
 /// \p text of a scene's section, read.
-Owner of_scene(const std::string& text, std::vector<scene::Input>* inputs = nullptr) {
+Owner of_scene(const std::string& text, std::vector<request::Input>* inputs = nullptr) {
     Owner owner;
     fstiff::request::Source source{.file = "s.toml"};
     const toml::table root = fstiff::request::parse_toml(text, source.file);
@@ -87,7 +87,7 @@ Owner of_program(const std::string& key, const Value& value) {
     return owner;
 }
 Value number(double value) {
-    return {.kind = value == std::floor(value) ? Value::Kind::whole : Value::Kind::real,
+    return {.kind = value == std::floor(value) ? Value::Kind::integer : Value::Kind::real,
             .written = fstiff::detail::shortest_text(value),
             .number = value};
 }
@@ -110,7 +110,7 @@ void check_options(const std::string& name) {
     Request request;
     request.each_field([&](std::string_view key, const auto&, const Field& field) {
         INFO(name << " " << key);
-        CHECK(contains(help, (field.positional ? " " : " --") + scene::with_dashes(key) + " "));
+        CHECK(contains(help, (field.positional ? " " : " --") + surface::with_dashes(key) + " "));
         CHECK(contains(help, one_line(field.help)));
     });
     Values values;
@@ -185,7 +185,7 @@ TEST_CASE("A quantity that a person gives has its unit") {
 }
 
 TEST_CASE("What a section holds is on record with its number in SI and its unit") {
-    std::vector<scene::Input> inputs;
+    std::vector<request::Input> inputs;
     (void)of_scene("height = \"2 um\"\npoints = 64\nname = \"x\"\n", &inputs);
     REQUIRE(inputs.size() == 3);
     CHECK(inputs[0].key == "points");  // in the order of the fields
@@ -197,16 +197,16 @@ TEST_CASE("What a section holds is on record with its number in SI and its unit"
 }
 
 TEST_CASE("Every field of a request is an option of its command and a key of its options in C") {
-    check_options<scene::MeasureOptions>("measure");
-    check_options<scene::FractalOptions>("measure --show fit");
-    check_options<scene::IslandsRequest>("measure --show islands");
-    check_options<scene::PeakDensityRequest>("measure --show peaks");
-    check_options<scene::SpectrumRequest>("measure --show spectrum");
-    check_options<scene::GenerateRequest>("generate");
-    check_options<scene::TruthRequest>("truth");
-    check_options<scene::ReflectionRequest>("ultrasound");
-    check_options<scene::IdentifyRequest>("identify");
-    check_options<scene::ExportRequest>("export");
+    check_options<surface::MeasureOptions>("measure");
+    check_options<actions::FractalOptions>("measure --show fit");
+    check_options<actions::IslandsRequest>("measure --show islands");
+    check_options<actions::PeakDensityRequest>("measure --show peaks");
+    check_options<actions::SpectrumRequest>("measure --show spectrum");
+    check_options<actions::GenerateRequest>("generate");
+    check_options<actions::TruthRequest>("truth");
+    check_options<actions::ReflectionRequest>("ultrasound");
+    check_options<actions::IdentifyRequest>("identify");
+    check_options<actions::ExportRequest>("export");
 }
 
 }  // namespace field_test

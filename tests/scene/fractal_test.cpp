@@ -76,10 +76,11 @@ TEST_CASE("The document of a fit holds what the headers fit, to the last digit")
     CHECK(document["fitted"]["lag_m"].get<std::vector<double>>() == fit.fitted.lag);
     CHECK(document["fitted"]["value_m2"].get<std::vector<double>>() == fit.fitted.value);
 
-    fstiff::scene::FractalOptions how;
+    fstiff::actions::FractalOptions how;
     how.surface = test::surface_options(read_metres);
-    const auto result = fractal_of_profile(how, fstiff::scene::read_surface_input(how.surface, one_column(profile)));
-    const test::Csv csv(fstiff::scene::rows_of(result.fit, result.structure).csv());
+    const auto result =
+        fstiff::actions::fractal_of_profile(how, fstiff::surface::read_surface_input(how.surface, one_column(profile)));
+    const test::Csv csv(fstiff::actions::lag_rows(result.fit, result.structure).csv());
     CHECK(csv.header() == std::vector<std::string>{"lag_m", "value_m2", "pairs", "in_window"});
     REQUIRE(csv.size() == fit.structure_function.size());
     std::size_t inside = 0;
@@ -99,7 +100,7 @@ TEST_CASE("A random walk has the dimension 1.5 within three of its errors") {
 
 TEST_CASE("Window, convention and form are those asked for") {
     const std::string text = one_column(random_walk(4096));
-    const auto json = [&](const std::string& more, fstiff::scene::FractalOptions how = {}) {
+    const auto json = [&](const std::string& more, fstiff::actions::FractalOptions how = {}) {
         return test::fitted(read_metres + more, text, how);
     };
     const auto given = json("--window '2 um,40 um'");
@@ -226,7 +227,7 @@ TEST_CASE("A map is fitted along x and along y, and reported as anisotropic when
         stretched += "\n";
     }
     CHECK(test::contains(test::fitted("", stretched)["warnings"].dump(), "the map is anisotropic"));
-    const fstiff::scene::FractalOptions all_lags{.surface = {}, .all_lags = true};
+    const fstiff::actions::FractalOptions all_lags{.surface = {}, .all_lags = true};
     test::check_sentence(test::refusal([&] { (void)test::fitted("", made, all_lags); }), {"--all-lags", "map"});
     test::check_sentence(test::refusal([&] { (void)test::fitted("--detrend line", made); }), {"detrend", "plane"});
 }
@@ -234,7 +235,7 @@ TEST_CASE("A map is fitted along x and along y, and reported as anisotropic when
 TEST_CASE("Tip, resolution, seed and filter act on a file as in the headers") {
     const auto profile = random_walk(4096);
     const std::string text = one_column(profile);
-    const auto json = [&](const std::string& more, fstiff::scene::FractalOptions how = {}) {
+    const auto json = [&](const std::string& more, fstiff::actions::FractalOptions how = {}) {
         return test::fitted(read_metres + more, text, how);
     };
     const auto flat = fstiff::detail::level(profile, fstiff::Form::line);

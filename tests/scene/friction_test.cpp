@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loss factor of a scene with friction, against the tangential law of the same contact, and what is refused.
-#include "scene/result_rows.hpp"
-#include "scene/results.hpp"
+#include "actions/results.hpp"
+#include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -20,7 +20,7 @@ namespace friction_test {
 
 namespace {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using test::results_of;
 using enum scene::CurveQuantity;
 using scene::Statistic;
@@ -31,7 +31,7 @@ const std::string surface =
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n",
                   friction = "[friction]\ncoefficient = 0.3\namplitude = \"20 nm\"\n";
 
-double at(const scene::Curve& curve, std::size_t i, scene::CurveQuantity quantity,
+double at(const actions::Curve& curve, std::size_t i, scene::CurveQuantity quantity,
           Statistic statistic = Statistic::value) {
     const auto value = curve.value_at(i, quantity, statistic);
     REQUIRE(value);
@@ -63,7 +63,7 @@ TEST_CASE("The band of the loss factor is that of K, and for yielded peaks it ho
     const auto flowed =
         results_of("material.upper = { name = \"steel\", hardness = \"2 GPa\" }\n" + numbers + contact + friction);
     for (std::size_t i = 0; i < 3; ++i) {
-        const scene::Curve& a = elastic.answer->curve;
+        const actions::Curve& a = elastic.answer->curve;
         const double p = at(a, i, pressure);
         for (const Statistic end : {Statistic::p05, Statistic::value, Statistic::p95}) {
             const double x = at(a, i, tangential_stiffness, end) * 20e-9 / (0.3 * p);
@@ -72,7 +72,7 @@ TEST_CASE("The band of the loss factor is that of K, and for yielded peaks it ho
                       fstiff::detail::loss_factor(fstiff::detail::PowerUnloading<double>{a.growth[i]}, x)) < 1e-14);
         }
         CHECK(std::abs(a.growth[i] - 0.9) < 0.15);
-        const scene::Curve& b = flowed.answer->curve;
+        const actions::Curve& b = flowed.answer->curve;
         const double x = at(b, i, tangential_stiffness) * 20e-9 / (0.3 * p);
         const double least = fstiff::detail::loss_factor(fstiff::detail::FlowedUnloading<double>{}, x),
                      most = fstiff::detail::loss_factor(fstiff::detail::PowerUnloading<double>{b.growth[i]}, x);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from little: height and gradient by other names, the process, and what is taken for the rest. Truth: the same
 // numbers written out, K by the library, and surfaces drawn at random.
-#include "scene/joint.hpp"
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "scene/scene.hpp"
 
 #include "support/accuracy.hpp"
@@ -36,8 +35,8 @@ std::string text_of(const std::string& surface, const std::string& laws = "\"hyb
 scene::Scene read(const std::string& surface, const std::string& laws = "\"hybrid\"") {
     return scene::read_scene(text_of(surface, laws), {.name = "s.toml"});
 }
-scene::Results results(const std::string& surface, const std::string& laws = "\"hybrid\"") {
-    return scene::compute(read(surface, laws));
+actions::Results results(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+    return actions::compute(read(surface, laws));
 }
 std::vector<double> stiffnesses(const std::string& surface, const std::string& laws = "\"hybrid\"") {
     std::vector<double> all;
@@ -67,7 +66,7 @@ TEST_CASE("Every name of height and gradient gives its number") {
           1e-14);
     CHECK(read("Ra = \"0.64 um\"\nprocess = \"turned\"").face.parameters.rms_height.value == 0.64e-6 / 0.84);
     // across a lay a profile is between the gradient and its sqrt(2)th part
-    const scene::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").face;
+    const detail::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").face;
     CHECK(test::relative_error(*ground.rms_gradient, 0.1 * std::pow(2, 0.25)) < 1e-14);
     REQUIRE(ground.is_open(Unknown::gradient));
     CHECK(test::relative_error(ground.priors.front().high, 0.1 * std::sqrt(2.0)) < 1e-14);
@@ -83,7 +82,7 @@ TEST_CASE("Height alone, and height with gradient, have K with a band by every l
         const auto found = results(surface, "\"hybrid\", \"plastic\", \"hertz\", \"persson\", \"proportional\"");
         INFO(surface);
         REQUIRE(found.curves.size() == 5);
-        for (const scene::Curve& curve : found.curves)
+        for (const actions::Curve& curve : found.curves)
             for (std::size_t i = 0; i < curve.states.size(); ++i) {
                 const double K = curve.states[i].stiffness.value;
                 CHECK(K > 0);
@@ -104,7 +103,7 @@ TEST_CASE("Assumptions are printed and recorded") {
     CHECK(little.assumptions[2] == "alpha 8 (2 to 50), of any process");
     const auto input_of = [](const scene::Scene& scene, const std::string& key) {
         const auto found = std::find_if(scene.inputs.begin(), scene.inputs.end(),
-                                        [&](const scene::Input& one) { return one.key == key; });
+                                        [&](const request::Input& one) { return one.key == key; });
         REQUIRE(found != scene.inputs.end());
         return *found;
     };
@@ -120,7 +119,7 @@ TEST_CASE("Assumptions are printed and recorded") {
     CHECK(input("surface.rms_gradient").value == 0.2);
     CHECK(input("surface.alpha").shown() == "assumed (default)");
     CHECK(std::count_if(little.inputs.begin(), little.inputs.end(),
-                        [](const scene::Input& one) { return one.key == "surface.rms_height"; }) == 1);
+                        [](const request::Input& one) { return one.key == "surface.rms_height"; }) == 1);
     // the numbers written out are the same scene, with nothing assumed
     const std::string all =
         "rms_height = \"1 um\"\nrms_gradient = 0.2\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
@@ -163,14 +162,14 @@ TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for th
     REQUIRE(paper.face.rms_gradient);
     CHECK(*paper.face.rms_gradient > 0.14);  // maps with its sigma and D_p have 0.124, with its sigma and R 0.175
     CHECK(*paper.face.rms_gradient < 0.165);
-    CHECK(lack_of_spectrum(paper.face) == scene::Lack::nothing);
+    CHECK(lack_of_spectrum(paper.face) == detail::Lack::nothing);
     const std::string numbers = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
     const auto plastic = results(numbers + "\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
     CHECK(test::relative_error(plastic.states[1].stiffness.value, 0.14e15) < 0.12);  // boundary elements: 0.11 to 0.18
     CHECK(test::relative_error(plastic.band[1].low, 0.11e15) < 0.12);
     CHECK(test::relative_error(plastic.band[1].high, 0.18e15) < 0.12);
     // the answer has the error of the law of numbers too, not that of a height alone
-    const auto answer = scene::compute(paper).answer.value().curve;
+    const auto answer = actions::compute(paper).answer.value().curve;
     for (std::size_t i = 0; i < answer.states.size(); ++i) {
         if (test::relative_error(answer.states[i].pressure.value, 10e6) > 1e-6) continue;
         CHECK(answer.band[i].low < 0.11e15);  // of a shape that is not known, too
@@ -188,17 +187,17 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     std::uint64_t state = 7;
     for (int i = 0; i < 2000; ++i) {
         scene::Scene one = scene;
-        for (const scene::Prior& prior : scene.face.priors) {
+        for (const detail::Prior& prior : scene.face.priors) {
             if (detail::is_of_shape(prior.which) || prior.which == Unknown::hurst) continue;
             const double middle = prior.which == Unknown::height     ? scene.face.parameters.rms_height.value
                                   : prior.which == Unknown::gradient ? *scene.face.rms_gradient
                                                                      : *scene.face.alpha;
             const double z = math::normal_pair<double>(state).real() / 1.6449;
             const double value = middle * std::pow((z < 0 ? prior.low : prior.high) / middle, std::abs(z));
-            one.face = scene::with_value(one.face, prior.which, std::max(value, 1.55e-7));
+            one.face = detail::with_value(one.face, prior.which, std::max(value, 1.55e-7));
         }
-        if (*one.face.alpha < 1.55) one.face = scene::with_value(one.face, Unknown::alpha, 1.55);
-        const auto results = scene::compute(one);
+        if (*one.face.alpha < 1.55) one.face = detail::with_value(one.face, Unknown::alpha, 1.55);
+        const auto results = actions::compute(one);
         for (std::size_t point = 0; point < all.size(); ++point)
             all[point].push_back(results.curves.front().states[point].stiffness.value);
     }
@@ -213,7 +212,7 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
 TEST_CASE("The band over what is not known is that of surfaces drawn at random", "[slow]") {
     scene::Scene little = read("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3\nhurst = 0.8", "\"plastic\"");
     little.points = {little.points.front(), little.points.back()};
-    const auto found = scene::compute(little).curves.front();
+    const auto found = actions::compute(little).curves.front();
     const auto ends = drawn(little);
     for (std::size_t point = 0; point < ends.size(); ++point) {
         const auto [low, high] = ends[point];
@@ -238,7 +237,7 @@ TEST_CASE("The parts of a band are printed, and the advice what to measure") {
     // and so it is
     const auto measured =
         results("Ra = \"0.8 um\"\nRdq = 0.1414\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
-    const auto width = [](const scene::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
+    const auto width = [](const actions::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
     CHECK(std::abs(width(measured) / width(plastic) - greatest->narrower) < 0.03);
 }
 
@@ -256,7 +255,7 @@ TEST_CASE("Of two faces of which little is known each widens the band") {
     const auto two = results("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).curves.front();
     const auto one = results(face).curves.front();
     REQUIRE(two.band.size() == 3);
-    const auto width = [](const scene::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
+    const auto width = [](const actions::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
     CHECK(width(two) < width(one));  // independent faces average
     CHECK(width(two) > width(one) / 3);
     CHECK(read("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).assumptions.front() ==

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hardness that is not given is a number that is not known; K of a map is that of all its waves. Truth: the answers
 // for hardnesses that are given; boundary elements of the map itself.
-#include "scene/explanation.hpp"
+#include "actions/explanation.hpp"
 
 #include "support/library.hpp"
 
@@ -15,7 +15,7 @@
 
 namespace hardness_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using test::contains;
 
 namespace {
@@ -34,7 +34,7 @@ std::string with(const std::string& name, const std::string& hardness) {
 struct Point {
     double low, value, high;
 };
-std::vector<Point> points_of(const scene::Results& results) {
+std::vector<Point> points_of(const actions::Results& results) {
     std::vector<Point> all;
     for (std::size_t i = 0; i < results.answer->curve.states.size(); ++i) {
         const auto& band = results.answer->curve.band[i];
@@ -63,13 +63,13 @@ TEST_CASE("K of a steel whose hardness is not given has a band that holds K of e
 
 TEST_CASE("A hardness that is not given is a cause of the band, an assumption, and what to measure next") {
     const scene::Scene of = test::scene_of(on("\"steel\""));
-    const scene::Results results = compute(of);
+    const actions::Results results = actions::compute(of);
     const auto& causes = results.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)];
     CHECK(causes.low < -0.3);
     CHECK(causes.high > 0.3);
     CHECK(contains(test::joined(of.assumptions), "hardness 2.6 GPa (1.2 GPa to 9.5 GPa), of steel"));
-    CHECK(contains(measure_next(of, results), "measure the hardness of the softer body"));
-    const scene::Results named = test::results_of(on(with("steel", "2 GPa")));
+    CHECK(contains(actions::measure_next(of, results), "measure the hardness of the softer body"));
+    const actions::Results named = test::results_of(on(with("steel", "2 GPa")));
     CHECK(named.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)].high == 0);
 }
 
@@ -176,15 +176,15 @@ TEST_CASE("Noise of an instrument is a cause of the band of a map, and above 5 %
     const std::string text = "[surface]\nfrom = '" + folder / "map.csv" +
                              "'\n[material]\nupper = " + with("steel", "infinite") + "\n" + loads +
                              "[boundary_elements]\nedges = \"periodic\"\n";
-    const auto part = [](const scene::Results& results) {
+    const auto part = [](const actions::Results& results) {
         return results.answer->reasons[2].causes[static_cast<std::size_t>(fstiff::Cause::noise)].high;
     };
     write(0);
-    const scene::Results quiet = test::results_of(text);
+    const actions::Results quiet = test::results_of(text);
     CHECK(part(quiet) < 0.01);
     CHECK_FALSE(contains(test::joined(quiet.warnings), "noise"));
     write(0.1e-6);
-    const scene::Results noisy = test::results_of(text);
+    const actions::Results noisy = test::results_of(text);
     CHECK(part(noisy) > part(quiet));
     CHECK(contains(test::joined(noisy.warnings), "the shortest waves of the map are noise, some 10 % of sigma"));
     CHECK(points_of(noisy)[2].high > points_of(quiet)[2].value);  // the band holds K without the noise

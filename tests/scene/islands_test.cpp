@@ -8,7 +8,7 @@
 
 namespace islands_test {
 
-using fstiff::scene::IslandsRequest;
+using fstiff::actions::IslandsRequest;
 
 namespace {
 

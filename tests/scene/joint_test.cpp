@@ -35,9 +35,9 @@ Body body(const char* name) { return body_of(*find_material(name)); }
 
 /// \p found has every number of the answer of \p scene, to the last digit.
 void require_same(const Answer& found, const scene::Scene& scene) {
-    const scene::Results results = compute(scene);
+    const actions::Results results = actions::compute(scene);
     REQUIRE(results.answer);
-    const scene::StiffnessAnswer& answer = *results.answer;
+    const actions::StiffnessAnswer& answer = *results.answer;
     REQUIRE(found.points.size() == scene.points.size());
     for (std::size_t place = 0; place < found.points.size(); ++place) {
         const AnswerPoint& point = found.points[place];
@@ -134,7 +134,7 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
 TEST_CASE("The answer of a joint of a trace, of a map and of two faces is that of its scene") {
     const test::Folder folder;
     const auto measured = [&](const std::string& name, const std::string& text) {
-        const auto input = scene::read_surface_input(test::surface_options("", folder.write(name, text)));
+        const auto input = surface::read_surface_input(test::surface_options("", folder.write(name, text)));
         const auto find = [](const auto& heights) { return measure(heights); };
         return std::make_shared<const Surface<double>>(std::visit(find, input.surface.data));
     };
@@ -180,13 +180,13 @@ TEST_CASE("Laws by name have the curves and bands of a scene that names them") {
                 .upper = body("steel"),
                 .lower = body("cast_iron")};
     const Answer found = answer(joint, pressures, {.laws = {LawName::hertz, LawName::fractal, LawName::persson}});
-    const scene::Results results = compute(
+    const actions::Results results = actions::compute(
         read("[surface]\nrms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 "
              "/mm^2\"\nfractal_dimension = 1.4\nerrors = { rms_height = \"0.1 um\", fractal_dimension = 0.05 }\n" +
              steel_on_iron + contact_of_text + "laws = [\"hertz\", \"fractal\", \"persson\"]\n"));
     REQUIRE(found.laws.size() == results.curves.size());
     for (std::size_t k = 0; k < found.laws.size(); ++k) {
-        const scene::Curve& curve = results.curves[k];
+        const actions::Curve& curve = results.curves[k];
         CAPTURE(k);
         CHECK(found.laws[k].law == curve.law->which);
         CHECK(found.laws[k].theta == curve.theta);
@@ -212,7 +212,7 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
                         .thermal_film = 1e-6};
     joint.friction = Friction{.coefficient = 0.2, .amplitude = 1e-8};
     const Answer found = answer(joint, pressures);
-    const scene::Results results = compute(read(
+    const actions::Results results = actions::compute(read(
         "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\nhardness = \"1 "
         "GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = \"2 "
         "GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
@@ -222,7 +222,7 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
         "K)\"\n"
         "thermal_film = \"1e-6 m^2 K/W\"\n[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
     REQUIRE(results.answer);
-    const scene::Curve& curve = results.answer->curve;
+    const actions::Curve& curve = results.answer->curve;
     using enum scene::CurveQuantity;
     const std::pair<scene::CurveQuantity, std::optional<Banded> AnswerPoint::*> all[]{
         {tangential_stiffness, &AnswerPoint::tangential_stiffness},

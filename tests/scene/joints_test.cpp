@@ -13,14 +13,14 @@ namespace joints_test {
 
 namespace {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 const std::string surface =
     "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 5\nerrors = { rms_height = \"0.08 um\" }\n";
 const std::string laws = "laws = [\"hybrid\", \"hertz\", \"persson\"]\n";
 const std::string few = "[uncertainty]\nsamples = 20\n";
 
-const scene::Input& input_of(const scene::Scene& read, const std::string& key) {
+const request::Input& input_of(const scene::Scene& read, const std::string& key) {
     const auto found =
         std::find_if(read.inputs.begin(), read.inputs.end(), [&](const auto& one) { return one.key == key; });
     if (found == read.inputs.end()) throw std::runtime_error("no input " + key);
@@ -79,7 +79,7 @@ TEST_CASE("One force, a list and a range are points, and the scene keeps the for
     REQUIRE(range.forces.size() == 3);
     CHECK(test::relative_error(range.forces[1], 100.0) < 1e-14);  // in equal steps of the logarithm
     for (std::size_t i = 0; i < 3; ++i) CHECK(range.points[i] == range.forces[i] / 0.5e-4);
-    CHECK(scene::shown_point(one, 0) == "1 kN, 20 MPa");
+    CHECK(actions::shown_point(one, 0) == "1 kN, 20 MPa");
     CHECK(input_of(one, "contact.seating").value == 1e3);
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("Where boundary elements of the map answer, the approach begins at the
                elements = test::results_of(text + "laws = [\"boundary_elements\"]\n", file);
     REQUIRE(best.answer);
     REQUIRE(best.answer->curve.law_at(0).name == "boundary_elements");
-    const auto approach = [](const scene::Curve& curve) {
+    const auto approach = [](const actions::Curve& curve) {
         return curve.value_at(0, scene::CurveQuantity::approach).value();
     };
     CHECK(approach(elements.curves.front()) > 0);
@@ -165,10 +165,10 @@ TEST_CASE("Two rough faces of two named materials under a force are one face of 
         "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 5\n"
         "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n"
         "[contact]\npressures = [\"" +
-        scene::exact(50e6 / modulus * 1e9) + " Pa\"]\n" + laws);
+        document::exact(50e6 / modulus * 1e9) + " Pa\"]\n" + laws);
     REQUIRE(named.curves.size() == unit.curves.size());
     CHECK(test::relative_error(unit.modulus, 1e9) < 1e-15);
-    const auto k = [](const scene::Results& results, std::size_t curve, scene::CurveQuantity quantity) {
+    const auto k = [](const actions::Results& results, std::size_t curve, scene::CurveQuantity quantity) {
         return results.curves[curve].value_at(0, quantity).value();
     };
     using enum scene::CurveQuantity;
@@ -266,12 +266,12 @@ TEST_CASE("data/bolted_joint.toml is the joint that docs/scene.md describes") {
 TEST_CASE("The table of materials of docs/scene.md is that of the library") {
     const std::string docs = test::read(FSTIFF_SCENES "/../docs/scene.md");
     for (const auto& one : fstiff::detail::named_materials) {
-        const auto cell = [](double value, int digits = 6) { return " | " + scene::rounded(value, digits); };
+        const auto cell = [](double value, int digits = 6) { return " | " + document::rounded(value, digits); };
         const auto [low, middle, high] = one.hardness();
         const std::string name = "| `" + std::string(one.name) + "`";
         const std::string row = cell(one.elastic.youngs_modulus / 1e9) + cell(one.elastic.poisson_ratio) +
-                                cell(one.density) + cell(low / 1e9, 2) + ", " + scene::rounded(middle / 1e9, 2) + ", " +
-                                scene::rounded(high / 1e9, 2) + " | " + std::string(one.source) + " |\n";
+                                cell(one.density) + cell(low / 1e9, 2) + ", " + document::rounded(middle / 1e9, 2) +
+                                ", " + document::rounded(high / 1e9, 2) + " | " + std::string(one.source) + " |\n";
         const std::string waves = name + cell(one.longitudinal_velocity) + cell(one.shear_velocity) +
                                   cell(one.thermal_conductivity) + cell(one.electrical_conductivity / 1e6) + " |\n";
         CHECK(test::contains(docs, name + " | "));

@@ -9,7 +9,7 @@
 
 namespace law_options_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -41,7 +41,7 @@ Expected expected(std::string_view key, const Member&, const fstiff::request::Fi
 TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses what is out of its range") {
     const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
     for (const fstiff::LawName law : scene::laws_with_options) {
-        scene::LawOptions defaults;
+        detail::LawOptions defaults;
         const std::string section = "contact." + std::string(name_of(law));
         scene::each_law_option(law, defaults, [&](std::string_view name, auto& member, const auto& field) {
             const std::string key = section + "." + std::string(name);
@@ -61,7 +61,7 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
             });
             CHECK(differs);
             CHECK(changed.inputs.end() != std::find_if(changed.inputs.begin(), changed.inputs.end(),
-                                                       [&](const scene::Input& one) { return one.key == key; }));
+                                                       [&](const request::Input& one) { return one.key == key; }));
             CHECK(test::contains(test::refusal([&, refused = bad] { (void)read(refused); }), key + " = "));
         });
     }
@@ -69,10 +69,10 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
 
 TEST_CASE("The table of laws is in the order of their names") {
     for (const auto& [law, word] : fstiff::names<fstiff::LawName>) {
-        CHECK(scene::find_law(law).which == law);
-        CHECK(scene::find_law(word) == &scene::find_law(law));
+        CHECK(detail::find_law(law).which == law);
+        CHECK(detail::find_law(word) == &detail::find_law(law));
     }
-    CHECK(scene::find_law("linear") == nullptr);
+    CHECK(detail::find_law("linear") == nullptr);
 }
 
 }  // namespace law_options_test

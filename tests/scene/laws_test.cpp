@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The keys of a scene for the laws that are not in the paper. Truth: the library's contacts, made by hand; tests/data.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
@@ -32,7 +32,9 @@ std::string scene_of(const std::string& surface, const std::string& laws, const 
            laws + "]\npeaks = [{ theta = 1.0, r = 0.5 }]\n" + more;
 }
 
-scene::Results computed(const std::string& text) { return scene::compute(scene::read_scene(text, {.name = "s.toml"})); }
+actions::Results computed(const std::string& text) {
+    return actions::compute(scene::read_scene(text, {.name = "s.toml"}));
+}
 
 std::string refused(const std::string& text) {
     return test::refusal([&] { (void)computed(text); });
@@ -180,7 +182,7 @@ TEST_CASE("Every law of a measured surface divides by one sigma: that of the hei
         CHECK(test::relative_error(rms_height, of.sigma) < 1e-7);  // the file has nine digits
         CHECK(test::relative_error(scene.face.map->spectrum().rms_height, rms_height) < 1e-12);
         CHECK(test::relative_error(scene.face.map->rms_height(), rms_height) < 1e-12);
-        const auto results = scene::compute(scene);
+        const auto results = actions::compute(scene);
         REQUIRE(results.curves.size() == 3);
         for (const auto& curve : results.curves)
             for (const auto& state : curve.states) {
@@ -209,10 +211,10 @@ TEST_CASE("[persson] spectrum holds for a map and for its neighbours of lambda_s
     for (const char* spectrum : {"map", "moments"}) {
         const std::string text =
             scene_of(file.surface(), "\"persson\"", "[persson]\nspectrum = \"" + std::string(spectrum) + "\"\n");
-        const scene::Face face = scene::read_scene(text, {.name = "s.toml"}).face;
+        const detail::Face face = scene::read_scene(text, {.name = "s.toml"}).face;
         REQUIRE(!face.neighbours.empty());
         CHECK(face.spectrum_of_map == (std::string(spectrum) == "map"));
-        for (const scene::Face& neighbour : face.neighbours) {
+        for (const detail::Face& neighbour : face.neighbours) {
             CHECK(neighbour.map);
             CHECK(neighbour.spectrum_of_map == face.spectrum_of_map);
         }
@@ -232,7 +234,7 @@ TEST_CASE("A pressure that a law does not reach leaves its other pressures and t
         const auto reached = computed(at(text, "\"1 MPa\", \"5 MPa\""));
         const auto all = computed(at(text, "\"90 GPa\", \"1 MPa\", \"80 GPa\", \"5 MPa\""));
         REQUIRE(all.curves.size() == 2);
-        const scene::Curve& found = all.curves[1];
+        const actions::Curve& found = all.curves[1];
         CHECK(found.places == std::vector<std::size_t>{1, 3});
         REQUIRE(found.missed.size() == 2);
         CHECK(found.missed[1].place == 2);
@@ -273,7 +275,7 @@ TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradien
     for (const char* pressure : {"1 MPa", "3 MPa", "8 MPa"}) {
         const auto results =
             computed(test::replaced(soft, "\"1 MPa\", \"5 MPa\"", "\"" + std::string(pressure) + "\""));
-        for (const scene::Curve& curve : results.curves)
+        for (const actions::Curve& curve : results.curves)
             for (const scene::Column& column : curve.columns)
                 for (const double value : column.values) CHECK(std::isfinite(value));
     }
@@ -307,8 +309,8 @@ TEST_CASE("scenes without the inputs of a law are refused with what is missing")
 }
 
 TEST_CASE("Every law has its description") {
-    for (const scene::Law& law : scene::laws()) CHECK(!law.nature.empty());
-    CHECK(scene::find_law("fractal")->nature.starts_with("as printed in the paper"));
+    for (const detail::Law& law : detail::laws()) CHECK(!law.nature.empty());
+    CHECK(detail::find_law("fractal")->nature.starts_with("as printed in the paper"));
 }
 
 TEST_CASE("With alpha and without given peaks, they are those of an isotropic surface, except for paper laws") {

@@ -10,7 +10,7 @@
 
 namespace measure_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using test::contains;
 
 namespace {
@@ -121,18 +121,18 @@ TEST_CASE("A scene takes its surface from a file next to it, from the document o
         return test::scene_of("[surface]\nfrom = \"" + surface + "\"\n" + rest + laws, file);
     };
     const scene::Scene direct = from("map.txt"), indirect = from("measured.json");
-    const std::string rows = test::csv_of(compute(direct));
-    CHECK(rows == test::csv_of(compute(indirect)));
+    const std::string rows = test::csv_of(actions::compute(direct));
+    CHECK(rows == test::csv_of(actions::compute(indirect)));
     CHECK(direct.samples == 400);
     REQUIRE(test::face(direct).measured);
     REQUIRE(test::face(indirect).measured);
     CHECK(test::measured_of(direct).sha256 == test::measured_of(indirect).sha256);
-    CHECK(test::parsed(measured_document(test::measured_of(direct)))["surface"] ==
-          test::parsed(measured_document(test::measured_of(indirect)))["surface"]);
+    CHECK(test::parsed(actions::measured_document(test::measured_of(direct)))["surface"] ==
+          test::parsed(actions::measured_document(test::measured_of(indirect)))["surface"]);
     // the scene's own numbers give way
     const scene::Scene replaced =
         scene::read_scene(numbers + rest + laws, {.name = file, .surface = folder / "measured.json"});
-    CHECK(test::csv_of(compute(replaced)) == rows);
+    CHECK(test::csv_of(actions::compute(replaced)) == rows);
 }
 
 TEST_CASE("A key next to surface.from replaces what was measured") {
@@ -144,8 +144,8 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
     const scene::Scene measured = of(""), replaced = of("rms_height = \"2 um\"\n"),
                        summits = of("peaks = \"summits\"\n");
     CHECK(test::face(replaced).parameters.rms_height.value == 2e-6);
-    CHECK(compute(replaced).curves[0].states[0].stiffness.value !=
-          compute(measured).curves[0].states[0].stiffness.value);
+    CHECK(actions::compute(replaced).curves[0].states[0].stiffness.value !=
+          actions::compute(measured).curves[0].states[0].stiffness.value);
     CHECK(test::face(summits).parameters.peak_radius.value != test::face(measured).parameters.peak_radius.value);
 }
 
@@ -308,10 +308,10 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
     check(step + "--peaks summits", "--peaks = \"summits\" is for a map; standard input holds a profile");
     CHECK(refused("--units um " + step + "--lambda-c '299.5 um'", heights).empty());  // as long as the profile: allowed
     // what does not fit the file is a fault of the caller, and a value that is none one of the data
-    CHECK_THROWS_AS(test::measured("--units um " + step + "--window '10 um'", heights), scene::option_error);
-    scene::MeasureOptions how;
+    CHECK_THROWS_AS(test::measured("--units um " + step + "--window '10 um'", heights), document::option_error);
+    surface::MeasureOptions how;
     how.input = test::surface_options("--units um " + step);
-    const std::string document = test::values_of(how, measure_surface(how, heights)).str();
+    const std::string document = test::values_of(how, surface::measure_surface(how, heights)).str();
     test::check_sentence(refused("", document), {"standard input: is JSON that fstiff printed", "run --surface"});
     std::string rise;
     for (int i = 0; i < 600; ++i) rise += i < 300 ? "0\n" : "1\n";
@@ -321,7 +321,7 @@ TEST_CASE("An option of a surface that makes no sense is refused in the words it
 TEST_CASE("A changed document of a measurement is refused where it was changed") {
     const auto document = test::measured("", map_text());
     const auto check = [](const nlohmann::json& changed, const std::vector<std::string>& parts) {
-        test::check_sentence(test::refusal([&] { (void)scene::read_measured_document(changed.dump(), "m.json"); }),
+        test::check_sentence(test::refusal([&] { (void)surface::read_measured_document(changed.dump(), "m.json"); }),
                              parts);
     };
     auto changed = document;
@@ -404,7 +404,7 @@ TEST_CASE("The column of the positions is an option, a key of a scene, and in th
     const scene::Scene read =
         test::scene_of("[surface]\nfrom = \"nr.csv\"\nx_column = 2\n" + rest, folder / "scene.toml");
     CHECK(std::any_of(read.inputs.begin(), read.inputs.end(),
-                      [](const scene::Input& one) { return one.key == "surface.x_column" && one.value == 2; }));
+                      [](const request::Input& one) { return one.key == "surface.x_column" && one.value == 2; }));
 }
 
 TEST_CASE("Numbers of a measured surface beyond all reason are refused in one sentence or give no other") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K of hybrid of measured traces at every 1st to 16th point, and after filtering with lambda_s from none to 16 steps:
 // within 15 %, though R goes a hundredfold. Traces: FSTIFF_SURFACES.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "scene/scene.hpp"
 
 #include "cli/command.hpp"
@@ -31,7 +31,7 @@ struct Found {
 Found found_in(const std::string& file, const std::string& lambda_s) {
     const std::string text = "[surface]\nfrom = \"" + file + "\"\nlambda_s = \"" + lambda_s + "\"\n" + rest;
     const scene::Scene scene = scene::read_scene(text, {.name = "s.toml"});
-    const auto results = scene::compute(scene);
+    const auto results = actions::compute(scene);
     REQUIRE(results.curves.size() == 1);
     Found found{scene.face.parameters.peak_radius.value, {}};
     for (const auto& state : results.curves[0].states) found.stiffness.push_back(state.stiffness.value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The measurement that a scene advises next. Truth: the scene with that measurement written in its text, at the value
 // that was assumed, and with each of the others.
-#include "scene/explanation.hpp"
+#include "actions/explanation.hpp"
 #include "support/library.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace next_measurement_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -41,7 +41,7 @@ std::string line(const char* key, double value, const char* unit = "") {
 /// The texts of \p one with each measurement that is open, at the value that was assumed.
 std::map<std::string, std::string> followed(const Case& one) {
     const scene::Scene read = test::scene_of(one.text());
-    const scene::Face& face = test::face(read);
+    const detail::Face& face = test::face(read);
     std::map<std::string, std::string> all;
     if (face.is_open(Unknown::gradient)) all["Sdq"] = one.text(line("Sdq", *face.rms_gradient));
     if (face.is_open(Unknown::alpha)) all["alpha"] = one.text(line("alpha", *face.alpha));
@@ -71,7 +71,7 @@ TEST_CASE("The measurement advised next narrows the band most of all, by the pri
                                    hardness + ("[contact]\npressures = [\"" + std::string(pressure) + "\"]\n")};
                     INFO(one.text());
                     const scene::Scene read = test::scene_of(one.text());
-                    const std::string next = measure_next(read, compute(read));
+                    const std::string next = actions::measure_next(read, actions::compute(read));
                     const double now = width_of(one.text());
                     INFO(next);
                     std::map<std::string, double> widths;
@@ -107,12 +107,12 @@ TEST_CASE("No measurement is advised where none narrows the band by a twentieth"
     const Case all{"Rq = \"1 um\"\nSdq = 0.1\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n",
                    "hardness = \"infinite\"\n[contact]\npressures = [\"10 MPa\"]\n"};
     const scene::Scene read = test::scene_of(all.text());
-    CHECK(measure_next(read, compute(read)).empty());
+    CHECK(actions::measure_next(read, actions::compute(read)).empty());
     // alpha and H alone are open: K of hybrid hardly depends on them
     const Case little{"Rq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = 3\n",
                       "hardness = \"infinite\"\n[contact]\npressures = [\"10 MPa\"]\n"};
     const scene::Scene known = test::scene_of(little.text());
-    CHECK(measure_next(known, compute(known)).empty());
+    CHECK(actions::measure_next(known, actions::compute(known)).empty());
 }
 
 TEST_CASE("A measurement that leaves no band is not advised, and loses no answer") {
@@ -122,9 +122,9 @@ TEST_CASE("A measurement that leaves no band is not advised, and loses no answer
         "yield_strength = \"400 MPa\"\n[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\"]\n"
         "[uncertainty]\nsamples = 20\n";  // R and D_p near those of islands: some drawn ones are of summits
     const scene::Scene read = test::scene_of(text);
-    const auto results = compute(read);
+    const auto results = actions::compute(read);
     REQUIRE(results.answer);
-    CHECK_NOTHROW(measure_next(read, results));
+    CHECK_NOTHROW(actions::measure_next(read, results));
 }
 
 TEST_CASE("Two faces that both lack a number are advised to measure it of both") {
@@ -132,10 +132,10 @@ TEST_CASE("Two faces that both lack a number are advised to measure it of both")
         "[surface.upper]\nRa = \"0.8 um\"\n[surface.lower]\nRa = \"0.4 um\"\n[material]\nupper = \"steel\"\n"
         "[contact]\npressures = [\"10 MPa\"]\n";
     const scene::Scene read = test::scene_of(text);
-    const std::string next = measure_next(read, compute(read));
+    const std::string next = actions::measure_next(read, actions::compute(read));
     INFO(next);
     REQUIRE(next.starts_with("measure Sdq or Rdq of both faces: the band at 10 MPa narrows from a factor of "));
-    const auto gradient = [](const scene::Face& face) { return line("Sdq", *face.rms_gradient); };
+    const auto gradient = [](const detail::Face& face) { return line("Sdq", *face.rms_gradient); };
     const double after =
         width_of("[surface.upper]\nRa = \"0.8 um\"\n" + gradient(read.faces[0]) + "[surface.lower]\nRa = \"0.4 um\"\n" +
                  gradient(read.faces[1]) + "[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n");

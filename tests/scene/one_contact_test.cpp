@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/one_contact.hpp"
+#include "actions/one_contact.hpp"
 
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include "support/catch.hpp"
 
@@ -18,8 +18,6 @@ namespace one_contact_test {
 namespace {
 
 using namespace fstiff;
-using namespace fstiff::scene;
-
 const std::string bodies = R"(
 [material.upper]
 youngs_modulus = "205 GPa"
@@ -43,8 +41,8 @@ HeightMap<double> some_map() {
     return self_affine_map(options, 64, 48, 1e-6, 1.5e-6);
 }
 
-SurfaceOptions named_heights() {
-    SurfaceOptions options;
+surface::SurfaceOptions named_heights() {
+    surface::SurfaceOptions options;
     options.file = "heights", options.lambda_s = "none";
     return options;
 }
@@ -74,7 +72,7 @@ std::string sentence_of(const auto& call) {
 TEST_CASE("one contact of numbers is that of the library, bit for bit") {
     const Roughness<double> surface{0.832e-6, 40e-6, 500e6, 5.3e-6};
     const RoughContact expected(surface, PeakDistribution<double>(0.5, 1.0), HertzLaw<double>{}, 112.6e9);
-    const OneContact one = contact_of("hertz", joint_of(surface, 0.5, 1.0));
+    const actions::OneContact one = actions::make_contact("hertz", joint_of(surface, 0.5, 1.0));
     const std::vector<double> pressures{1e5, 1e7};
     const auto points = one.contact->at_pressures(pressures, Quantity::all);
     for (std::size_t i = 0; i < pressures.size(); ++i)
@@ -83,39 +81,40 @@ TEST_CASE("one contact of numbers is that of the library, bit for bit") {
 }
 
 TEST_CASE("every contact of a scene gives the curve of the scene") {
-    const Scene scene = read_scene(with_surface, {.name = "scene"});
-    const Results results = compute(scene);
+    const scene::Scene scene = scene::read_scene(with_surface, {.name = "scene"});
+    const actions::Results results = actions::compute(scene);
     std::size_t curve = 0;
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         std::size_t peaks = 0;
         for (; curve < results.curves.size() && results.curves[curve].law == scene.laws[law]; ++curve) {
-            const OneContact one = contact_of(scene, law, peaks++);
+            const actions::OneContact one = actions::make_contact(scene, law, peaks++);
             CHECK(one.law == results.curves[curve].law);
             const auto points = one.contact->at_pressures(scene.points, Quantity::all);
             for (std::size_t i = 0; i < points.size(); ++i)
                 CHECK(points[i].state.stiffness.value == results.curves[curve].states[i].stiffness.value);
         }
-        CHECK_THROWS_AS(contact_of(scene, law, peaks), no_such_entry);
+        CHECK_THROWS_AS(actions::make_contact(scene, law, peaks), actions::no_such_entry);
     }
     CHECK(curve == results.curves.size());
-    CHECK(sentence_of([&] { return contact_of(scene, 3, 0); }) == "law = 3: must be an entry of contact.laws");
+    CHECK(sentence_of([&] { return actions::make_contact(scene, 3, 0); }) ==
+          "law = 3: must be an entry of contact.laws");
 }
 
 TEST_CASE("what was measured of heights replaces the surface of a scene and of numbers") {
-    const SurfaceOptions options = named_heights();
-    const SurfaceInput input = surface_of_heights(options, some_map(), "a test");
+    const surface::SurfaceOptions options = named_heights();
+    const surface::SurfaceInput input = surface::surface_of_heights(options, some_map(), "a test");
     CHECK(input.sha256.size() == 64);
     CHECK(input.surface.record.sentences().front() == "format: npy, from a test");
-    scene::MeasureOptions how;
+    surface::MeasureOptions how;
     how.input = options;
-    const MeasuredSurface measured = measure_surface(how, input);
-    const Scene scene = read_scene(bodies, {.name = "scene", .measured = &measured});
+    const surface::MeasuredSurface measured = surface::measure_surface(how, input);
+    const scene::Scene scene = scene::read_scene(bodies, {.name = "scene", .measured = &measured});
     CHECK(scene.face.parameters.rms_height.value == measured.found.rms_height.value);
-    const Results results = compute(scene);
+    const actions::Results results = actions::compute(scene);
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         const Joint joint{.face = {.measured = std::make_shared<const Surface<double>>(measured.found)},
                           .effective_modulus = results.modulus};
-        const OneContact one = contact_of(std::string(scene.laws[law]->name), joint);
+        const actions::OneContact one = actions::make_contact(std::string(scene.laws[law]->name), joint);
         const auto points = one.contact->at_pressures(scene.points, Quantity::stiffness);
         for (std::size_t i = 0; i < points.size(); ++i)
             CHECK(points[i].state.stiffness.value == results.curves[law].states[i].stiffness.value);
@@ -125,17 +124,17 @@ TEST_CASE("what was measured of heights replaces the surface of a scene and of n
 TEST_CASE("heights and numbers that are not valid are refused in one sentence") {
     HeightMap<double> map = some_map();
     map.heights(3, 4) = std::numeric_limits<double>::infinity();
-    CHECK(sentence_of([&] { return surface_of_heights(named_heights(), map, "a test"); }) ==
+    CHECK(sentence_of([&] { return surface::surface_of_heights(named_heights(), map, "a test"); }) ==
           "heights: map with an infinite height: must be finite, or NaN where missing");
     CHECK(sentence_of([&] {
-              return surface_of_heights(named_heights(), Profile<double>{{1, 2}, 1}, "");
+              return surface::surface_of_heights(named_heights(), Profile<double>{{1, 2}, 1}, "");
           }) == "heights: profile has 2 points: must be at least 16");
     Joint joint = joint_of({0.832e-6, 40e-6, 500e6}, 0.5, 1.0);
     joint.effective_modulus = 0;
-    CHECK(sentence_of([&] { return contact_of("hertz", joint); }) ==
+    CHECK(sentence_of([&] { return actions::make_contact("hertz", joint); }) ==
           "effective_modulus = 0: must be finite and greater than 0");
     CHECK(sentence_of([] {
-              return contact_of("herz", Joint());
+              return actions::make_contact("herz", Joint());
           }).starts_with("law = \"herz\": must be one of \"fractal\""));
 }
 
@@ -143,16 +142,18 @@ TEST_CASE("a missing number that may be 0 is not taken for 0") {
     const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     Joint numbers = joint_of(surface, std::nullopt, 1.0);
     numbers.upper.yield_strength = 1e9;
-    CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "r: is missing; r and theta belong together");
+    CHECK(sentence_of([&] { return actions::make_contact("hertz", numbers); }) ==
+          "r: is missing; r and theta belong together");
     numbers.face.r = 0;
-    CHECK(contact_of("hertz", numbers).contact);
-    CHECK(sentence_of([&] { return contact_of("jackson_green", numbers); }) ==
+    CHECK(actions::make_contact("hertz", numbers).contact);
+    CHECK(sentence_of([&] { return actions::make_contact("jackson_green", numbers); }) ==
           "law jackson_green: needs poisson_ratio");
-    CHECK(sentence_of([&] { return contact_of("kogut_etsion", numbers); }) == "law kogut_etsion: needs poisson_ratio");
+    CHECK(sentence_of([&] { return actions::make_contact("kogut_etsion", numbers); }) ==
+          "law kogut_etsion: needs poisson_ratio");
     numbers.upper.elastic.poisson_ratio = 0;
-    CHECK(contact_of("jackson_green", numbers).contact);
+    CHECK(actions::make_contact("jackson_green", numbers).contact);
     numbers.face.theta.reset(), numbers.face.r.reset();
-    CHECK(sentence_of([&] { return contact_of("hertz", numbers); }) == "law hertz: needs r and theta");
+    CHECK(sentence_of([&] { return actions::make_contact("hertz", numbers); }) == "law hertz: needs r and theta");
 }
 
 TEST_CASE("the sensitivities of plain numbers are the exact derivatives of the headers") {
@@ -162,7 +163,7 @@ TEST_CASE("the sensitivities of plain numbers are the exact derivatives of the h
     const PeakDistribution<double> peaks(0.5, 1.0);
     const double p = 1e7;
     const auto check = [&](const std::string& law, const Sensitivity<double>& exact) {
-        const auto by = sensitivity_of(law, numbers, p);
+        const auto by = actions::sensitivity_of(law, numbers, p);
         const auto agrees = [&](const char* name, double x, double wanted) {
             INFO(law << ", " << name);
             CHECK(std::abs(by.at(name) - wanted) * x < 1e-7 * exact.stiffness);
@@ -186,9 +187,9 @@ TEST_CASE("a sensitivity by r at r = 0 is taken from above, and bad numbers are 
     const Joint numbers = joint_of(surface, 0.0, 1.0);
     const RoughContact contact(surface, PeakDistribution<double>(0.0, 1.0), HertzLaw<double>{}, 112.6e9);
     const auto exact = sensitivity(contact, 1e7);
-    CHECK(std::abs(sensitivity_of("hertz", numbers, 1e7).at("r") - exact.r) < 1e-7 * exact.stiffness);
-    CHECK_THROWS_AS(sensitivity_of("hertz", numbers, -1), domain_error);
-    CHECK_THROWS_AS(sensitivity_of("none", numbers, 1e7), domain_error);
+    CHECK(std::abs(actions::sensitivity_of("hertz", numbers, 1e7).at("r") - exact.r) < 1e-7 * exact.stiffness);
+    CHECK_THROWS_AS(actions::sensitivity_of("hertz", numbers, -1), domain_error);
+    CHECK_THROWS_AS(actions::sensitivity_of("none", numbers, 1e7), domain_error);
 }
 
 }  // namespace one_contact_test

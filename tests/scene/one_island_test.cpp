@@ -50,7 +50,7 @@ TEST_CASE("K of a smooth ball is that of Hertz, and R and D_p are not known: one
     const std::string file = folder.write("ball.csv", text_of(ball()));
     const std::string whole = "detrend = \"none\"\nlambda_s = \"none\"\n";
     const scene::Scene of = test::scene_of(scene_of(file, whole, "pressures = [\"1 MPa\"]\n"));
-    const scene::Results results = compute(of);
+    const actions::Results results = actions::compute(of);
     REQUIRE(results.answer);
     const double K = results.answer->curve.states.front().stiffness.value;
     // one ball on A0 = (128 4 um)^2: K = 2 E a/A0, a^3 = 3 p A0 R/(4 E); its mirror images add 10 % at a = L/25
@@ -64,14 +64,14 @@ TEST_CASE("K of a smooth ball is that of Hertz, and R and D_p are not known: one
     CHECK_FALSE(of.face.has_radius_and_density());
     CHECK(of.face.parameters.why_no_density == "one island");
 
-    const scene::Results named =
+    const actions::Results named =
         test::results_of(scene_of(file, whole, "pressures = [\"1 MPa\"]\nlaws = [\"boundary_elements\", \"hertz\"]\n"));
     CHECK(test::relative_error(named.curves.front().states.front().stiffness.value, K) < 1e-12);
     CHECK(contains(test::joined(named.warnings), "D_p is not known: one island"));
     test::check_sentence(
         test::refused_scene(scene_of(file, whole, "pressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n")),
         {"\"hertz\" needs surface.peak_radius and surface.peak_density, which are not known: one island"});
-    const scene::Results given =
+    const actions::Results given =
         test::results_of(scene_of(file, whole + "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
                                   "pressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n"));
     CHECK(given.curves.front().states.size() == 1);
@@ -91,7 +91,7 @@ TEST_CASE("A map of one bump has all parameters but R and D_p") {
     CHECK_FALSE(contains(found["warnings"].dump(), "R and D_p come from"));
 
     const test::Folder folder;  // the JSON is a surface of a scene, as numbers
-    const scene::Results results =
+    const actions::Results results =
         test::results_of(scene_of(folder.write("bump.json", found.dump()), "", "pressures = [\"10 MPa\"]\n"));
     REQUIRE(results.answer);
     CHECK(results.answer->curve.states.front().stiffness.value > 0);
@@ -114,7 +114,7 @@ TEST_CASE("Bowls, half covered bumps and several files of a bump are measured") 
         CHECK(found["surface"].contains("rms_height"));
         CHECK(found["surface"].contains("rms_gradient"));
         CHECK(found["surface"].contains("peak_radius") == !found.contains("no_peak_density"));
-        const scene::Results results = test::results_of(
+        const actions::Results results = test::results_of(
             scene_of(folder.write("map.csv", text), "detrend = \"mean\"\n", "pressures = [\"10 MPa\"]\n"));
         CHECK(results.answer);
     }
@@ -127,7 +127,7 @@ TEST_CASE("Bowls, half covered bumps and several files of a bump are measured") 
     // next to a rough face: the sum has neither
     const std::string rough =
         folder.write("rough.csv", test::map_text(128, side, {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = 60e-6}));
-    const scene::Results sum =
+    const actions::Results sum =
         test::results_of("material = { upper = \"steel\" }\n[surface.upper]\nfrom = '" +
                          folder.write("c.csv", text_of(bump())) + "'\n[surface.lower]\nfrom = '" + rough +
                          "'\n[contact]\npressures = [\"10 MPa\"]\n[uncertainty]\nsamples = 20\n");
@@ -137,7 +137,7 @@ TEST_CASE("Bowls, half covered bumps and several files of a bump are measured") 
 
 TEST_CASE("A profile without a peak is measured, and answered by the laws of its spectrum") {
     std::string text;
-    for (int i = 0; i < 400; ++i) text += scene::exact(1e-4 * (i - 150) * (i - 150)) + "\n";
+    for (int i = 0; i < 400; ++i) text += document::exact(1e-4 * (i - 150) * (i - 150)) + "\n";
     const std::string how = "--units um --spacing '1 um' --lambda-s none";
     const json found = test::measured(how, text);
     CHECK(found["no_peak_density"] == "no peak");
@@ -146,7 +146,7 @@ TEST_CASE("A profile without a peak is measured, and answered by the laws of its
     CHECK_FALSE(found["surface"].contains("peak_density"));
     CHECK(contains(found["warnings"].dump(), "no D_p"));
     const test::Folder folder;
-    const scene::Results results = test::results_of(
+    const actions::Results results = test::results_of(
         scene_of(folder.write("bowl.txt", text), "units = \"um\"\nspacing = \"1 um\"\n", "pressures = [\"10 MPa\"]\n"));
     REQUIRE(results.answer);
     CHECK(results.answer->curve.states.front().stiffness.value > 0);

@@ -126,15 +126,15 @@ void require_same(const nlohmann::json& document, const Surface<double>& surface
 bool is_measured(const std::filesystem::path& path) {
     const auto units = units_of_files.find(path.filename().string());
     const std::string line = units == units_of_files.end() ? "" : "--units " + units->second;
-    const scene::SurfaceOptions options = test::surface_options(line, path.string());
+    const surface::SurfaceOptions options = test::surface_options(line, path.string());
     nlohmann::json document;
     if (!test::refusal([&] { document = test::measured_files(line, {path.string()}); }).empty()) {
         CHECK_THROWS_AS(std::visit([](const auto& heights) { return measure(heights).size; },
-                                   scene::read_surface_input(options).surface.data),
+                                   surface::read_surface_input(options).surface.data),
                         domain_error);
         return false;
     }
-    const scene::SurfaceInput input = scene::read_surface_input(options);
+    const surface::SurfaceInput input = surface::read_surface_input(options);
     const auto measured = [](const auto& heights) { return measure(heights); };
     const Surface<double> surface = std::visit(measured, input.surface.data);
     require_same(document, surface);
@@ -157,7 +157,8 @@ bool is_measured(const std::filesystem::path& path) {
 /// K of \p curve and its band, step by step: the surfaces drawn about \p surface, and its neighbours, each by a
 /// contact of its own with the law \p law_of(D).
 template <class LawOf>
-void require_same_band(const scene::Curve& curve, const Surface<double>& surface, double modulus, const LawOf& law_of) {
+void require_same_band(const actions::Curve& curve, const Surface<double>& surface, double modulus,
+                       const LawOf& law_of) {
     const std::vector<double> pressures{1e6, 1e7};
     const auto at = [&](const std::array<double, detail::surface_parameter_count>& drawn, std::size_t = 0) {
         const auto value = [&](Parameter which) { return drawn[detail::index_of(which)]; };
@@ -223,7 +224,7 @@ TEST_CASE("The command and the headers pool several measurements of one surface 
         for (const std::string& text : texts) {
             files.push_back(folder.write("made" + std::to_string(files.size()) + ".txt", text));
             heights.push_back(std::get<typename decltype(heights)::value_type>(
-                scene::read_surface_input(test::surface_options("", files.back())).surface.data));
+                surface::read_surface_input(test::surface_options("", files.back())).surface.data));
         }
         const auto document = test::measured_files("", files);
         const Surface<double> surface = measure(heights);
@@ -260,7 +261,7 @@ TEST_CASE("K of a law that is named and its band are those of the contacts one b
             folder / "scene.toml");
         REQUIRE(results.curves.size() == 2);
         const auto measured = [](const auto& heights) { return measure(heights); };
-        const Surface<double> found = std::visit(measured, scene::read_surface_input(options).surface.data);
+        const Surface<double> found = std::visit(measured, surface::read_surface_input(options).surface.data);
         REQUIRE(found.fractal_dimension);
         const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
         const auto hertz = [](double) { return HertzLaw<double>{}; };
@@ -279,7 +280,7 @@ TEST_CASE("The command and the headers find the same K of a map by hybrid") {
         "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [\"hybrid\"]\n",
         folder / "scene.toml");
     REQUIRE(results.curves.size() == 1);
-    const auto read = scene::read_surface_input(test::surface_options("", file)).surface.data;
+    const auto read = surface::read_surface_input(test::surface_options("", file)).surface.data;
     const auto map = prepare(std::get<HeightMap<double>>(read), {.lambda_s = no_cut_off}).map;
     const auto contact = hybrid_of_map(map, effective_modulus<double>({205e9, 0.3}, {205e9, 0.3}));
     REQUIRE(results.curves[0].states.size() == 3);

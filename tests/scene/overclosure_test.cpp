@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of pressures over overclosures. Truth: the chords of an exponential in closed form; the library's contacts,
 // made by hand, at pressures that the table was not made of.
-#include "scene/overclosure.hpp"
+#include "actions/overclosure.hpp"
 
 #include <fstiff/contact/rough_contact.hpp>
 
@@ -16,7 +16,7 @@
 namespace overclosure_test {
 
 using namespace fstiff;
-using Row = scene::PressureTable::Row;
+using Row = actions::PressureTable::Row;
 
 namespace {
 
@@ -41,7 +41,7 @@ double interpolated(const std::vector<Row>& rows, double overclosure) {
 
 /// Error of the lines of \p table against the separations of \p contact.
 template <class Contact>
-double largest_error(const scene::PressureTable& table, const Contact& contact) {
+double largest_error(const actions::PressureTable& table, const Contact& contact) {
     double worst = 0;
     for (int i = 0; i < 3001; ++i) {
         const double p = table.from * std::pow(table.to / table.from, i / 3000.0);
@@ -54,10 +54,10 @@ double largest_error(const scene::PressureTable& table, const Contact& contact) 
 }  // namespace
 
 TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
-    scene::Line points;
+    actions::Line points;
     for (int i = 0; i <= 7000; ++i) points.push_back({1e-3 * i, std::exp(1e-3 * i)});
     for (const double tolerance : {0.1, 0.01, 0.001}) {
-        const auto rows = scene::rows_within({points}, {tolerance, 1});
+        const auto rows = actions::rows_within({points}, {tolerance, 1});
         double length = 0;  // the longest chord, in steps of the points
         while (error_of_chord(length + 1e-3) <= tolerance) length += 1e-3;
         CHECK(rows.front() == 0);
@@ -66,12 +66,12 @@ TEST_CASE("Of an exponential as many rows are taken as its chords ask for") {
         for (std::size_t i = 1; i + 1 < rows.size(); ++i)
             CHECK(std::abs(1e-3 * static_cast<double>(rows[i] - rows[i - 1]) - length) < 2e-3);
         // a straight line asks for no rows of its own, and takes those of the other
-        scene::Line straight;
-        for (const scene::LinePoint& point : points) straight.push_back({point.x, 1 + point.x});
-        CHECK(scene::rows_within({straight}, {tolerance, 1}).size() == 2);
-        CHECK(scene::rows_within({straight, points}, {tolerance, 1}) == rows);
-        CHECK(scene::rows_within({points, straight}, {tolerance, 1}) == rows);
-        CHECK(std::abs(scene::error_of_rows({straight, points}, rows).value - tolerance) < 0.01 * tolerance);
+        actions::Line straight;
+        for (const actions::LinePoint& point : points) straight.push_back({point.x, 1 + point.x});
+        CHECK(actions::rows_within({straight}, {tolerance, 1}).size() == 2);
+        CHECK(actions::rows_within({straight, points}, {tolerance, 1}) == rows);
+        CHECK(actions::rows_within({points, straight}, {tolerance, 1}) == rows);
+        CHECK(std::abs(actions::error_of_rows({straight, points}, rows).value - tolerance) < 0.01 * tolerance);
     }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("Between the rows the pressure is off by the tolerance and no more, un
     for (const double tolerance : {0.1, 0.01, 1e-4}) {
         const auto check = [&](const char* law, const auto& contact) {
             const auto table =
-                pressure_table(fine(), {.law = law, .peaks = 2, .tolerance = tolerance, .slope_tolerance = 1});
+                actions::pressure_table(fine(), {.law = law, .peaks = 2, .tolerance = tolerance, .slope_tolerance = 1});
             const double error = largest_error(table, contact);
             INFO(table.title << ", tolerance " << tolerance << ", error " << error);
             CHECK(error <= tolerance);
@@ -104,14 +104,14 @@ TEST_CASE("Between the rows the pressure is off by the tolerance and no more, un
 }
 
 TEST_CASE("Of an exponential the slopes of chords ask for two tolerances of its logarithm a row") {
-    scene::Line points;
+    actions::Line points;
     for (int i = 0; i <= 7000; ++i) points.push_back({1e-3 * i, std::exp(1e-3 * i), std::exp(1e-3 * i)});
     for (const double tolerance : {0.02, 0.1}) {
-        const auto rows = scene::rows_within({points}, {1, tolerance});
+        const auto rows = actions::rows_within({points}, {1, tolerance});
         double length = 0;  // (e^x - 1)/x of the slope at the begin of a chord is its own
         while (std::expm1(length + 1e-3) / (length + 1e-3) - 1 <= tolerance) length += 1e-3;
         CHECK(rows.size() == 1 + static_cast<std::size_t>(std::ceil(7.0 / length - 1e-9)));
-        CHECK(scene::error_of_rows({points}, rows).slope <= tolerance);
+        CHECK(actions::error_of_rows({points}, rows).slope <= tolerance);
     }
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("Between the rows the slope is K of the law within its tolerance") {
     const Roughness<double> surface{.rms_height = 0.832e-6, .peak_radius = 40e-6, .peak_density = 500e6};
     const RoughContact contact(surface, peaks, HertzLaw<double>{}, modulus);
     for (const double tolerance : {0.02, 0.005, 0.1}) {
-        const auto table = pressure_table(fine(), {.law = "hertz", .peaks = 2, .slope_tolerance = tolerance});
+        const auto table = actions::pressure_table(fine(), {.law = "hertz", .peaks = 2, .slope_tolerance = tolerance});
         double worst = 0;
         for (std::size_t i = 2; i < table.rows.size(); ++i) {
             const Row a = table.rows[i - 1], b = table.rows[i];
@@ -140,11 +140,11 @@ TEST_CASE("Between the rows the slope is K of the law within its tolerance") {
 }
 
 TEST_CASE("A shorter range, and what a table cannot be made of") {
-    const auto table = pressure_table(fine(), {.law = "hertz", .from = 1e6, .to = 2e6});
+    const auto table = actions::pressure_table(fine(), {.law = "hertz", .from = 1e6, .to = 2e6});
     CHECK(test::relative_error(table.from, 1e6) < 1e-12);
     CHECK(test::relative_error(table.rows.back().pressure, 2e6) < 1e-12);
-    const auto refusal = [](const scene::PressureTableOptions& options) {
-        return test::refusal([&] { (void)pressure_table(fine(), options); });
+    const auto refusal = [](const actions::PressureTableOptions& options) {
+        return test::refusal([&] { (void)actions::pressure_table(fine(), options); });
     };
     CHECK(
         refusal({.law = "plastic"}) ==
@@ -154,7 +154,7 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
     CHECK(refusal({.from = 2e6, .to = 1e6}) == "until = 1000000: must be greater than from, 2e+06 Pa");
     scene::Scene one = fine();
     one.points = {1e6};
-    CHECK(test::refusal([&] { (void)pressure_table(one, {}); }) ==
+    CHECK(test::refusal([&] { (void)actions::pressure_table(one, {}); }) ==
           "until = 1000000: must be greater than from, 1e+06 Pa; the scene has only one pressure");
     CHECK(refusal({.from = -1.0}) == "from = -1: must be finite and greater than 0");
     CHECK(refusal({.tolerance = 0.3}) == "tolerance = 0.3: must be between 0.001 % and 20 %");

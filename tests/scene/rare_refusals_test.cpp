@@ -2,11 +2,11 @@
 // Values that scenes, documents and files rarely have: each is refused in one sentence that names what is allowed.
 #include "support/library.hpp"
 
-#include "scene/overclosure.hpp"
+#include "actions/overclosure.hpp"
 
 namespace rare_refusals_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -81,8 +81,8 @@ TEST_CASE("A table of pressures asks a scene of separations, or of one pressure,
     const scene::Scene one = test::scene_of(good);
     const scene::Scene by_separation =
         test::scene_of(test::replaced(good, "pressures = [\"1 MPa\"]", "separations = [\"1 um\"]"));
-    const auto refused = [](const scene::Scene& of, const scene::PressureTableOptions& how) {
-        return test::refusal([&] { (void)pressure_table(of, how); });
+    const auto refused = [](const scene::Scene& of, const actions::PressureTableOptions& how) {
+        return test::refusal([&] { (void)actions::pressure_table(of, how); });
     };
     test::check_sentence(refused(by_separation, {}), {"from and until must give the range"});
     CHECK(refused(by_separation, {.from = 1e6, .to = 1e7}).empty());
@@ -95,7 +95,7 @@ TEST_CASE("A table of pressures asks a scene of separations, or of one pressure,
 TEST_CASE("A document of a measurement without its parts, or with impossible ones, is refused") {
     const auto document = test::measured("", test::profile_text(2048, 1e-6, {.hurst = 0.6, .rms = 1e-6}));
     const auto refused = [](const nlohmann::json& changed) {
-        return test::refusal([&] { (void)scene::read_measured_document(changed.dump(), "m.json"); });
+        return test::refusal([&] { (void)surface::read_measured_document(changed.dump(), "m.json"); });
     };
     CHECK(refused(document).empty());
     auto changed = document;

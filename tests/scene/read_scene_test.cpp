@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contents of a scene and their messages: ranges of keys, values that contradict each other, values that were
 // assumed, files that are listed twice.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 
 #include "cli/command.hpp"
 
+#include "actions/truth.hpp"
 #include "document/file.hpp"
 #include "document/rows.hpp"
 #include "document/shown_unit.hpp"
-#include "surface/truth_of_map.hpp"
 
 #include <fstiff/io/write.hpp>
 #include <fstiff/math/statistics.hpp>
@@ -21,7 +21,7 @@
 
 namespace read_scene_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using fstiff::Parameter;
 using test::contains;
 
@@ -50,7 +50,7 @@ std::string joined(const std::vector<std::string>& lines) {
 
 /// The relative width of the band of the first curve at its first point.
 double width(const std::string& text) {
-    const auto results = scene::compute(read(text));
+    const auto results = actions::compute(read(text));
     const auto& band = results.curves.front().band.at(0);
     return std::log(band.high / band.low);
 }
@@ -62,7 +62,7 @@ std::string trace(const test::Folder& folder, const std::string& name, int point
     double z = phase;
     for (int i = 0; i < points; ++i) {
         z = 0.9 * z + fstiff::math::normal_pair<double>(state).real();
-        text += scene::exact(i * 0.5) + " " + scene::exact(z + std::sin(0.02 * i)) + "\n";
+        text += document::exact(i * 0.5) + " " + document::exact(z + std::sin(0.02 * i)) + "\n";
     }
     return folder.write(name, text);
 }
@@ -90,13 +90,13 @@ TEST_CASE("What is written next to what was measured holds for the neighbours of
     const test::Folder folder;
     const std::string from =
         "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
-    const scene::Face measured = read(text_of(from)).face,
-                      written = read(text_of(from + "rms_height = \"2 um\"\nfractal_dimension = 1.25\nalpha = 9\n"
-                                                    "hurst = 0.75\nskewness = -1\nkurtosis = 6\n"
-                                                    "errors = { rms_height = \"0.5 um\" }\n"))
-                                    .face;
+    const detail::Face measured = read(text_of(from)).face,
+                       written = read(text_of(from + "rms_height = \"2 um\"\nfractal_dimension = 1.25\nalpha = 9\n"
+                                                     "hurst = 0.75\nskewness = -1\nkurtosis = 6\n"
+                                                     "errors = { rms_height = \"0.5 um\" }\n"))
+                                     .face;
     REQUIRE(written.neighbours.size() == 2);
-    for (const scene::Face* face : {&written, &written.neighbours[0], &written.neighbours[1]}) {
+    for (const detail::Face* face : {&written, &written.neighbours[0], &written.neighbours[1]}) {
         CHECK(test::relative_error(face->parameters.rms_height.value, 2e-6) < 1e-15);
         CHECK(face->dimension() == 1.25);
         CHECK(face->alpha == 9);
@@ -205,8 +205,8 @@ TEST_CASE("The error of rms_gradient widens the band, of R and D_p too where the
 TEST_CASE("H and alpha that were assumed are among the inputs, and those that were given are not assumed") {
     const auto input = [](const scene::Scene& of, const std::string& key) {
         const auto found =
-            std::find_if(of.inputs.begin(), of.inputs.end(), [&](const scene::Input& one) { return one.key == key; });
-        return found == of.inputs.end() ? std::string() : found->shown() + " " + scene::rounded(*found->value, 3);
+            std::find_if(of.inputs.begin(), of.inputs.end(), [&](const request::Input& one) { return one.key == key; });
+        return found == of.inputs.end() ? std::string() : found->shown() + " " + document::rounded(*found->value, 3);
     };
     const std::string persson = "laws = [\"persson\"]\n";
     const std::string spectrum = "rms_height = \"1 um\"\npeak_radius = \"4 um\"\npeak_density = \"20000 /mm^2\"\n";
@@ -225,18 +225,18 @@ TEST_CASE("A file that is listed twice counts once, and both names are reported"
     std::filesystem::create_directory(folder / "traces");
     const std::string a = trace(folder, "traces/a.txt", 1200), c = trace(folder, "traces/c.txt", 1200, 30);
     std::filesystem::copy_file(a, folder / "traces/b.txt");
-    scene::MeasureOptions options;
+    surface::MeasureOptions options;
     options.input.units = "um";
     options.neighbours = false;
     options.resamples = 20;
-    const auto error_of = [](const scene::MeasuredSurface& of) { return of.found.rms_height.error; };
-    const scene::MeasuredSurface once = scene::measure_files(options, {a}),
-                                 nine = scene::measure_files(options, std::vector<std::string>(9, a));
+    const auto error_of = [](const surface::MeasuredSurface& of) { return of.found.rms_height.error; };
+    const surface::MeasuredSurface once = surface::measure_files(options, {a}),
+                                   nine = surface::measure_files(options, std::vector<std::string>(9, a));
     CHECK(nine.parts.empty());
     CHECK(error_of(nine) == error_of(once));
     CHECK(contains(joined(nine.warnings), a + ": is the same file as " + a));
-    const scene::MeasuredSurface both = scene::measure_files(options, {a, c}),
-                                 all = scene::measure_files(options, {folder / "traces"});
+    const surface::MeasuredSurface both = surface::measure_files(options, {a, c}),
+                                   all = surface::measure_files(options, {folder / "traces"});
     CHECK(all.parts.size() == 2);
     CHECK(error_of(all) == error_of(both));
     CHECK(contains(joined(all.warnings), folder / "traces/b.txt" + ": is the same file as " + a));
@@ -247,19 +247,20 @@ TEST_CASE("truth warns where elastic pressures exceed the hardness of the body, 
     fstiff::HeightMap<double> map = test::half_space_map("gaussian");
     map.heights = (1e-4 * map.heights.topLeftCorner(32, 32)).eval();
     map.dx = map.dy = 1e-4 / 256;
-    scene::TruthRequest request;
+    actions::TruthRequest request;
     request.surface.file = "map";
     request.modulus = 100e9;
     request.pressures = {1e6};
     request.known_hardness = 5e8;
-    const scene::SurfaceInput input = scene::surface_of_heights(request.surface, {map}, "made here");
-    const scene::TruthOfMap flows = scene::truth_of_map(request, input);
+    const surface::SurfaceInput input = surface::surface_of_heights(request.surface, {map}, "made here");
+    const actions::TruthOfMap flows = actions::truth_of_map(request, input);
     REQUIRE(flows.at.front().state.max_pressure > 5e8);
-    CHECK(contains(joined(document_of(request, input).warnings), "exceed the hardness of the softer body, 500 MPa"));
+    CHECK(contains(joined(actions::document_of(request, input).warnings),
+                   "exceed the hardness of the softer body, 500 MPa"));
     request.known_hardness = 2 * flows.at.front().state.max_pressure;
-    CHECK_FALSE(contains(joined(document_of(request, input).warnings), "exceed"));
+    CHECK_FALSE(contains(joined(actions::document_of(request, input).warnings), "exceed"));
     request.known_hardness = request.hardness = 5e8;
-    CHECK_FALSE(contains(joined(document_of(request, input).warnings), "exceed"));
+    CHECK_FALSE(contains(joined(actions::document_of(request, input).warnings), "exceed"));
     test::check_refused("truth - --hardness '0 Pa'", 3, {"--hardness = 0", "greater than 0"}, "1 2\n");
 }
 
@@ -267,29 +268,30 @@ TEST_CASE("The separation of boundary elements is that of the mean planes: of th
     fstiff::HeightMap<double> map = test::half_space_map("gaussian");
     map.heights = (1e-4 * map.heights.topLeftCorner(64, 64)).eval();
     map.dx = map.dy = 1e-4 / 256;
-    scene::TruthRequest request;
+    actions::TruthRequest request;
     request.surface.file = "map";
     request.surface.detrend = "mean";
     request.surface.lambda_s = request.surface.lambda_c = "none";
     request.modulus = 100e9;
     request.pressures = {10};
-    const auto solved = scene::truth_of_map(request, scene::surface_of_heights(request.surface, {map}, "made here"));
+    const auto solved =
+        actions::truth_of_map(request, surface::surface_of_heights(request.surface, {map}, "made here"));
     const double highest = map.heights.maxCoeff() - map.heights.mean();
     CHECK(test::relative_error(solved.at.front().state.mean_gap, highest) < 1e-3);
-    CHECK(contains(scene::rows_of(solved).text(), "separation [µm]"));
+    CHECK(contains(actions::pressure_rows(solved).text(), "separation [µm]"));
 }
 
 TEST_CASE("A cell of CSV with a comma, a quotation mark or a line end is quoted, and no other") {
-    CHECK(scene::csv_line({"a", "b c", "", "1.5"}) == "a,b c,,1.5\n");
-    CHECK(scene::csv_line({"b,c.csv", "5\" pipe", "two\nlines"}) == "\"b,c.csv\",\"5\"\" pipe\",\"two\nlines\"\n");
+    CHECK(document::csv_line({"a", "b c", "", "1.5"}) == "a,b c,,1.5\n");
+    CHECK(document::csv_line({"b,c.csv", "5\" pipe", "two\nlines"}) == "\"b,c.csv\",\"5\"\" pipe\",\"two\nlines\"\n");
     CHECK(test::csv_cells("\"b,c.csv\",x") == std::vector<std::string>{"b,c.csv", "x"});
 }
 
 TEST_CASE("Percents are shown without an exponent") {
-    CHECK(scene::shown_percent(0.998) == "100 %");
-    CHECK(scene::shown_percent(1.81) == "181 %");
-    CHECK(scene::shown_percent(0.085) == "8.5 %");
-    CHECK(scene::shown_percent(0.0012) == "0.12 %");
+    CHECK(document::shown_percent(0.998) == "100 %");
+    CHECK(document::shown_percent(1.81) == "181 %");
+    CHECK(document::shown_percent(0.085) == "8.5 %");
+    CHECK(document::shown_percent(0.0012) == "0.12 %");
 }
 
 TEST_CASE("What is not known to a factor of two is reported once") {
@@ -298,7 +300,7 @@ TEST_CASE("What is not known to a factor of two is reported once") {
     values.set(Parameter::peak_radius, {40e-6, 72e-6});
     values.set(Parameter::peak_density, {5e8, 2e8});
     using Concern = fstiff::MeasuredConcern;
-    const auto lines = scene::peak_warnings(
+    const auto lines = surface::peak_warnings(
         {Concern::radius_uncertain, Concern::density_uncertain, Concern::parameter_unknown}, 100, values);
     REQUIRE(lines.size() == 2);
     CHECK(lines[0] == "D_p is known to 40 % only");

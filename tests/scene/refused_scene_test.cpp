@@ -30,7 +30,7 @@ void check_scene_refused(const std::string& scene, const std::vector<std::string
 }
 
 /// The input of \p key that \p scene records.
-const fstiff::scene::Input& input_of(const fstiff::scene::Scene& scene, const std::string& key) {
+const fstiff::request::Input& input_of(const fstiff::scene::Scene& scene, const std::string& key) {
     for (const auto& one : scene.inputs)
         if (one.key == key) return one;
     throw std::runtime_error("no input " + key);
@@ -189,7 +189,7 @@ TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments")
 TEST_CASE("A scene that is empty, binary or of another encoding is refused") {
     const test::Folder folder;
     for (const char* text : {"", "  \n\n"})
-        test::check_sentence(test::refusal([&] { (void)fstiff::scene::read_all(folder.write("scene.toml", text)); }),
+        test::check_sentence(test::refusal([&] { (void)fstiff::document::read_all(folder.write("scene.toml", text)); }),
                              {"scene.toml", "empty"});
     check_scene_refused("name = \"only a name\"\n", {"scene.toml", "surface", "missing"});
     check_scene_refused(std::string("\x7f"
@@ -206,7 +206,7 @@ TEST_CASE("What a scene leaves out takes the documented default, and the inputs 
                        "peaks = [ { theta = \"pi/4\", r = \"exponential\" } ]\n", ""),
         "interaction = \"none\"\n", "");
     const auto scene = test::scene_of(shortest);
-    const auto results = compute(scene);
+    const auto results = fstiff::actions::compute(scene);
     CHECK(test::Csv(test::csv_of(results)).size() == 1);  // of the answer
     for (const char* key :
          {"material.lower", "contact.laws", "contact.peaks", "contact.interaction", "output.quantities"}) {
@@ -234,8 +234,8 @@ TEST_CASE("A scene records every input as written and in SI, and the SHA-256 of 
     CHECK(input_of(scene, "surface.rms_height").unit == "m");
     CHECK(input_of(scene, "contact.pressures[0]").value == 1e6);
     // the digest of "abc" is that of FIPS 180-4, appendix B.1
-    CHECK(fstiff::scene::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-    CHECK(scene.sha256 == fstiff::scene::sha256(good));
+    CHECK(fstiff::document::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    CHECK(scene.sha256 == fstiff::document::sha256(good));
 }
 
 }  // namespace refused_scene_test

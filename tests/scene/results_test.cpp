@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
-#include "scene/results.hpp"
-#include "scene/joint.hpp"
+#include "actions/results.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
 
+#include "actions/identify.hpp"
+#include "actions/measured_curve.hpp"
+#include "actions/run.hpp"
 #include "document/file.hpp"
-#include "scene/identified.hpp"
-#include "scene/measured_curve.hpp"
-#include "scene/result_rows.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,7 @@
 
 namespace results_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -38,15 +37,15 @@ TEST_CASE("The scenes of data/ have the numbers that fstiff run prints") {
     for (const char* name : {"sand_blasted_fine", "sand_blasted_coarse", "electrical_discharge_machined"}) {
         const std::string file = std::string(FSTIFF_SCENES "/") + name + ".toml";
         INFO(file);
-        const auto results = compute(scene::read_scene(test::read(file), {.name = file}));
+        const auto results = actions::compute(scene::read_scene(test::read(file), {.name = file}));
         const auto outcome = test::run_fstiff("run '" + file + "' --format csv");
         REQUIRE(outcome.status == (results.doubtful ? 4 : 0));
         const test::Csv printed(outcome.out);
         std::size_t row = 0, differences = 0, compared = 0;
         REQUIRE(results.answer);
-        std::vector<const scene::Curve*> curves{&results.answer->curve};
+        std::vector<const actions::Curve*> curves{&results.answer->curve};
         for (const auto& curve : results.curves) curves.push_back(&curve);
-        for (const scene::Curve* curve : curves)
+        for (const actions::Curve* curve : curves)
             for (std::size_t i = 0; i < curve->states.size(); ++i, ++row) {
                 differences += printed.text(row, "law") != curve->law->name;
                 differences += printed.text(row, "answer") != (curve == curves.front() ? "1" : "0");
@@ -71,7 +70,7 @@ TEST_CASE("The built-in scene is the text of data/built_in.toml") {
 TEST_CASE("Every column of a curve names its unit and has a value a point") {
     const auto read = scene::read_scene(text_of(three_laws), {.name = "short.toml"});
     std::size_t calls = 0;
-    const auto results = compute(read, [&](std::string_view, std::size_t done, std::size_t all) {
+    const auto results = actions::compute(read, [&](std::string_view, std::size_t done, std::size_t all) {
         CHECK(done < all);
         ++calls;
     });
@@ -94,13 +93,13 @@ TEST_CASE("Every column of a curve names its unit and has a value a point") {
 
 TEST_CASE("Interaction makes every law softer, Greenwood and Williamson's too, and never stiffer than the bulk") {
     const std::string interaction = "interaction = { reading = \"effective_separation\", length = \"nominal\" }\n";
-    const auto alone = compute(scene::read_scene(text_of(three_laws), {.name = "short.toml"}));
-    const auto with = compute(scene::read_scene(text_of(three_laws + interaction), {.name = "short.toml"}));
+    const auto alone = actions::compute(scene::read_scene(text_of(three_laws), {.name = "short.toml"}));
+    const auto with = actions::compute(scene::read_scene(text_of(three_laws + interaction), {.name = "short.toml"}));
     REQUIRE(alone.curves.size() == with.curves.size());
     const double length = std::sqrt(195e-6);
     for (std::size_t c = 0; c < with.curves.size(); ++c)
         for (std::size_t i = 0; i < 2; ++i) {
-            INFO(title(with.curves[c]));
+            INFO(actions::title(with.curves[c]));
             const double k = with.curves[c].states[i].stiffness.value;
             CHECK(k < alone.curves[c].states[i].stiffness.value);
             if (with.curves[c].law->name != "greenwood_williamson") continue;
@@ -120,7 +119,7 @@ TEST_CASE("What a scene lacks is thrown as a domain_error with its place, and no
     } catch (const fstiff::domain_error& error) {
         CHECK(test::contains(error.what(), "bad.toml:3: surface.rms_height"));
     }
-    CHECK_THROWS_AS(scene::read_all("/no/such/file"), fstiff::file_error);
+    CHECK_THROWS_AS(document::read_all("/no/such/file"), fstiff::file_error);
 }
 
 TEST_CASE("Input that is not a scene is refused with the right option") {
@@ -157,7 +156,7 @@ TEST_CASE("The explanation and the warnings do not depend on the columns asked f
     const auto said = [](const std::string& quantities) {
         const std::string text = test::replaced(text_of("laws = [\"hertz\"]\n"), "195 mm^2", "0.01 mm^2");
         const std::string output = "[output]\nquantities = [" + quantities + "]\n";
-        auto results = compute(scene::read_scene(text + output, {.name = "f"}));
+        auto results = actions::compute(scene::read_scene(text + output, {.name = "f"}));
         results.explanation.insert(results.explanation.end(), results.warnings.begin(), results.warnings.end());
         return results.explanation;
     };
@@ -171,7 +170,7 @@ TEST_CASE("The explanation and the warnings do not depend on the columns asked f
 TEST_CASE("All curves of a scene and its answer have one p*") {
     const auto check = [](const std::string& from, const std::string& to, double gradient, std::size_t curves) {
         const std::string text = test::replaced(text_of("laws = [\"hertz\", \"greenwood_williamson\"]\n"), from, to);
-        const auto results = compute(scene::read_scene(text, {.name = "f"}));
+        const auto results = actions::compute(scene::read_scene(text, {.name = "f"}));
         REQUIRE(results.curves.size() == curves);
         for (const auto& curve : results.curves) {
             REQUIRE(curve.rms_gradient);
@@ -213,9 +212,9 @@ TEST_CASE(
 }
 
 TEST_CASE("Every law of the table has a name, its equations and a contact, and is found by its name") {
-    for (const scene::Law& law : scene::laws()) {
+    for (const detail::Law& law : detail::laws()) {
         INFO(law.name);
-        CHECK(scene::find_law(law.name) == &law);
+        CHECK(detail::find_law(law.name) == &law);
         CHECK(law.contact != nullptr);
         CHECK(!law.load.empty());
         CHECK(!law.stiffness.empty());
@@ -224,34 +223,34 @@ TEST_CASE("Every law of the table has a name, its equations and a contact, and i
             continue;  // tests/scene/laws_test.cpp
         const auto read =
             scene::read_scene(text_of("laws = [\"" + std::string(law.name) + "\"]\n"), {.name = "x.toml"});
-        CHECK(compute(read).curves.size() == (law.has_peaks ? 2 : 1));
+        CHECK(actions::compute(read).curves.size() == (law.has_peaks ? 2 : 1));
     }
-    CHECK(scene::find_law("no law") == nullptr);
+    CHECK(detail::find_law("no law") == nullptr);
 }
 
 TEST_CASE("A scene is identified from a curve without a command line") {
     const test::Folder folder;
     const auto read = scene::read_scene(text_of("laws = [\"hertz\"]\npeaks = [{ theta = \"pi/3\", r = 0.4 }]\n"),
                                         {.name = "short.toml"});
-    const auto results = compute(read);
+    const auto results = actions::compute(read);
     std::string file = "pressure [Pa],stiffness [Pa/m]\n";
     for (const auto& state : results.curves[0].states)
-        file += scene::exact(state.pressure.value) + "," + scene::exact(2 * state.stiffness.value) + "\n";
-    const auto curve = scene::read_measured_curve(folder.write("k.csv", file));
-    const auto found = scene::identify(read, curve, {.wanted = {fstiff::Parameter::rms_height}});
+        file += document::exact(state.pressure.value) + "," + document::exact(2 * state.stiffness.value) + "\n";
+    const auto curve = actions::read_measured_curve(folder.write("k.csv", file));
+    const auto found = actions::identify(read, curve, {.wanted = {fstiff::Parameter::rms_height}});
     REQUIRE(found.fits.size() == 1);
     // K is proportional to 1/sigma at a given pressure where K ~ p, and nearly so here: twice K, about half of sigma
     CHECK(found.fits[0].found.parameters[0].value < 0.7e-6);
-    CHECK_THROWS_AS(scene::identify(read, curve, {.wanted = {}, .law = "", .shear = true}), scene::option_error);
+    CHECK_THROWS_AS(actions::identify(read, curve, {.wanted = {}, .law = "", .shear = true}), document::option_error);
 }
 
 TEST_CASE("A gradient that no surface has is a warning of a wrong unit, and a doubt") {
     const auto with = [](const std::string& from, const std::string& to) {
         std::string text = text_of("laws = [\"hertz\"]\npeaks = [{ theta = \"pi/3\", r = 0.5 }]\n");
         text.replace(text.find(from), from.size(), to);
-        return compute(scene::read_scene(text, {.name = "short.toml"}));
+        return actions::compute(scene::read_scene(text, {.name = "short.toml"}));
     };
-    const auto warns = [](const scene::Results& results, const std::string& part) {
+    const auto warns = [](const actions::Results& results, const std::string& part) {
         return std::count_if(results.warnings.begin(), results.warnings.end(), [&](const std::string& line) {
             return test::contains(line, part) && test::contains(line, "a unit of its lengths is likely wrong");
         });
@@ -281,7 +280,7 @@ TEST_CASE("A gradient that no surface has is a warning of a wrong unit, and a do
 TEST_CASE("A measured curve has one decimal sign, and a point next to decimal commas is no decimal") {
     const test::Folder folder;
     const auto read = [&](const std::string& rows) {
-        return scene::read_measured_curve(folder.write("curve.csv", "pressure [MPa];stiffness [GPa/um]\n" + rows))
+        return actions::read_measured_curve(folder.write("curve.csv", "pressure [MPa];stiffness [GPa/um]\n" + rows))
             .points;
     };
     CHECK(read("1,5;0,25\n20;0,5\n")[0].pressure == 1.5e6);

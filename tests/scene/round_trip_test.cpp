@@ -10,7 +10,7 @@
 
 namespace round_trip_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -20,10 +20,10 @@ const std::string rest =
 
 /// A scene of \p inputs: each that was written is a line "key = value" of TOML, a path of dots; items of lists are
 /// gathered.
-std::string text_of(const std::vector<scene::Input>& inputs) {
+std::string text_of(const std::vector<request::Input>& inputs) {
     std::string text;
     std::vector<std::pair<std::string, std::string>> lists;
-    for (const scene::Input& one : inputs) {
+    for (const request::Input& one : inputs) {
         if (!one.given || test::contains(one.written, "default") || one.key.find("peaks") != std::string::npos)
             continue;
         const bool plain = one.value && one.unit.empty();
@@ -41,7 +41,9 @@ std::string text_of(const std::vector<scene::Input>& inputs) {
     return text;
 }
 
-void check_same_rows(const scene::Results& a, const scene::Results& b) { CHECK(test::csv_of(a) == test::csv_of(b)); }
+void check_same_rows(const actions::Results& a, const actions::Results& b) {
+    CHECK(test::csv_of(a) == test::csv_of(b));
+}
 
 }  // namespace
 
@@ -70,7 +72,7 @@ TEST_CASE("The inputs that a scene records make the same scene again, for random
         const std::string again = text_of(first.inputs);
         INFO(again);
         const scene::Scene second = test::scene_of(again);
-        check_same_rows(compute(first), compute(second));
+        check_same_rows(actions::compute(first), actions::compute(second));
         // and the inputs of the second are those of the first, so that nothing is lost on the way
         CHECK(text_of(second.inputs) == again);
     }
@@ -104,8 +106,8 @@ TEST_CASE(
             const auto direct = results("\"surface.txt\"\n" + keys), read = results("\"surface.json\"\n");
             check_same_rows(direct, read);
             // and the document of what was read is the document
-            const auto second =
-                test::parsed(measured_document(scene::read_measured_document(document.dump(), "surface.json")));
+            const auto second = test::parsed(
+                actions::measured_document(surface::read_measured_document(document.dump(), "surface.json")));
             for (const char* part :
                  {"surface", "neighbours", "correlation_of_errors", "concerns", "moments", "lambda_s_m"}) {
                 CAPTURE(part);
@@ -124,7 +126,7 @@ TEST_CASE("The inputs of a document, given as options again, give the document a
         INFO(options);
         const auto document = test::measured(options, text);
         std::string again;
-        for (const scene::SurfaceOptionRow& row : scene::surface_option_table()) {
+        for (const surface::SurfaceOptionRow& row : surface::surface_option_table()) {
             const std::string key(row.json_name());
             if (!document["inputs"].contains(key)) continue;
             const auto& value = document["inputs"][key];

@@ -69,8 +69,8 @@ TEST_CASE("Only the columns that were asked for are printed") {
             test::scene_with("sand_blasted_fine", {{"quantities", "quantities = [" + quantities + "]"}});
         const auto results = test::results_of(text);
         CHECK(test::lines(test::csv_of(results)).front() == always + expected);
-        fstiff::scene::Json rows;
-        rows_of(results, results.curves.front()).append_to(rows);
+        fstiff::document::Json rows;
+        fstiff::actions::point_rows(results, results.curves.front()).append_to(rows);
         CHECK(test::parsed(rows)[0].contains("stiffness_Pa_per_m") == test::contains(quantities, "stiffness"));
     }
 }

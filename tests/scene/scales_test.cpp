@@ -2,27 +2,28 @@
 // A surface with other cut-offs: each row is the measurement, and the K, with these cut-offs.
 #include "support/library.hpp"
 
-#include "scene/scales.hpp"
+#include "actions/scales.hpp"
 
 #include <cmath>
 
 namespace scales_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 TEST_CASE("Each row of the scales is the measurement and the K with its cut-offs") {
     const test::Folder folder;
     const std::string trace = test::profile_text(
         4096, 1e-6, {.hurst = 0.7, .rms = 1e-6, .longest_wavelength = 400e-6, .shortest_wavelength = 4e-6});
-    scene::MeasureOptions how;
+    surface::MeasureOptions how;
     how.input = test::surface_options("--lambda-s '10 um' --lambda-c '800 um'");
-    const scene::SurfaceInput input = scene::read_surface_input(how.input, trace);
-    const scene::Scales scales = scales_of(measure_surface(how, input), input, {.pressure = 20e6, .modulus = 100e9});
+    const surface::SurfaceInput input = surface::read_surface_input(how.input, trace);
+    const actions::Scales scales =
+        actions::scales_of(surface::measure_surface(how, input), input, {.pressure = 20e6, .modulus = 100e9});
     int checked = 0, chosen = 0;
     for (const auto* list : {&scales.short_waves, &scales.long_waves})
-        for (const scene::Scale& row : *list) {
+        for (const actions::Scale& row : *list) {
             const auto text = [](const std::optional<double>& of) {
-                return of ? "'" + scene::exact(*of) + " m'" : std::string("none");
+                return of ? "'" + document::exact(*of) + " m'" : std::string("none");
             };
             chosen += row.chosen;
             CHECK(row.chosen == (row.cut_offs.lambda_s == 10e-6 && row.cut_offs.lambda_c == 800e-6));
@@ -33,7 +34,7 @@ TEST_CASE("Each row of the scales is the measurement and the K with its cut-offs
             const auto measured = test::measured(
                 "--lambda-s " + text(row.cut_offs.lambda_s) + " --lambda-c " + text(row.cut_offs.lambda_c), trace);
             REQUIRE(row.surface);
-            const auto surface = test::parsed(measured_document(*row.surface))["surface"];
+            const auto surface = test::parsed(actions::measured_document(*row.surface))["surface"];
             for (const char* key : {"rms_height", "peak_radius", "peak_density", "rms_gradient"})
                 CHECK(std::abs(surface[key]["value"].get<double>() / measured["surface"][key]["value"].get<double>() -
                                1) < 1e-12);
@@ -48,7 +49,7 @@ TEST_CASE("Each row of the scales is the measurement and the K with its cut-offs
         }
     CHECK(checked > 8);
     CHECK(chosen == 2);  // among both lists
-    CHECK(what_is_settled(scales).size() == 2);
+    CHECK(actions::what_is_settled(scales).size() == 2);
 }
 
 }  // namespace scales_test

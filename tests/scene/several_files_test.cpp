@@ -22,14 +22,15 @@ std::vector<double> trace(std::size_t points, std::uint64_t seed) {
 /// The heights from \p from to \p to as a column of metres.
 std::string text_of(const std::vector<double>& heights, std::size_t from, std::size_t to) {
     std::string text;
-    for (std::size_t i = from; i < to; ++i) text += fstiff::scene::exact(heights[i]) + "\n";
+    for (std::size_t i = from; i < to; ++i) text += fstiff::document::exact(heights[i]) + "\n";
     return text;
 }
 /// Every \p step th of the heights with its position.
 std::string positions(const std::vector<double>& heights, std::size_t step) {
     std::string text;
     for (std::size_t i = 0; i < heights.size(); i += step)
-        text += fstiff::scene::exact(static_cast<double>(i) * 1e-6) + "," + fstiff::scene::exact(heights[i]) + "\n";
+        text +=
+            fstiff::document::exact(static_cast<double>(i) * 1e-6) + "," + fstiff::document::exact(heights[i]) + "\n";
     return text;
 }
 const std::string metres = "--units m --spacing '1 um'";

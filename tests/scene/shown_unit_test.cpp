@@ -11,13 +11,13 @@
 
 namespace shown_unit_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
-std::string length(double x) { return scene::unit_of_length(x)(x); }
-std::string density(double x) { return scene::unit_of_density(x)(x); }
-std::string pressure(double x) { return scene::unit_of_pressure(x)(x); }
+std::string length(double x) { return document::unit_of_length(x)(x); }
+std::string density(double x) { return document::unit_of_density(x)(x); }
+std::string pressure(double x) { return document::unit_of_pressure(x)(x); }
 
 }  // namespace
 
@@ -39,33 +39,33 @@ TEST_CASE("A value is shown in the unit of its size") {
     CHECK(pressure(1e5) == "0.1 MPa");
     CHECK(pressure(0.99e9) == "990 MPa");
     CHECK(pressure(205e9) == "205 GPa");
-    CHECK(scene::unit_of_stiffness(2.5e15) == "2.5 GPa/µm");
-    CHECK(scene::shown_unit(3e-8, "m").name == "nm");
-    CHECK(scene::shown_unit(3e12, "/m^2").name == "/µm²");
-    CHECK(scene::shown_unit(0.5, "")(0.5) == "0.5");
-    CHECK(scene::with_unit(0.832e-6, "m", 5, 0.08e-6) == "0.832 ± 0.08 µm");
-    CHECK(scene::with_unit(123456, "") == "123460");
-    CHECK(scene::with_unit(5e9, "1/m^2") == "5000 /mm²");
-    CHECK(scene::with_unit(0.5e-12, "m^2") == "0.5 µm²");
-    CHECK(scene::with_unit(7e6, "Hz") == "7 MHz");
-    CHECK(scene::shown_unit(2e-4, "m along").name == "mm");
-    CHECK(scene::shown_unit(0.99e13, "Pa/m").name == "MPa/µm");
-    CHECK(scene::shown_unit(std::vector<double>{2e12, 3e13, 2e15}, "Pa/m").name == "MPa/µm");
-    CHECK(scene::shown_unit(std::vector<double>{2e15, 3e16, 2e12}, "Pa/m").name == "GPa/µm");
-    CHECK(scene::unit_of_density(1).heading("contacts") == "contacts [1/m²]");
-    CHECK(scene::ShownUnit{}.heading("eta") == "eta");
+    CHECK(document::unit_of_stiffness(2.5e15) == "2.5 GPa/µm");
+    CHECK(document::shown_unit(3e-8, "m").name == "nm");
+    CHECK(document::shown_unit(3e12, "/m^2").name == "/µm²");
+    CHECK(document::shown_unit(0.5, "")(0.5) == "0.5");
+    CHECK(document::with_unit(0.832e-6, "m", 5, 0.08e-6) == "0.832 ± 0.08 µm");
+    CHECK(document::with_unit(123456, "") == "123460");
+    CHECK(document::with_unit(5e9, "1/m^2") == "5000 /mm²");
+    CHECK(document::with_unit(0.5e-12, "m^2") == "0.5 µm²");
+    CHECK(document::with_unit(7e6, "Hz") == "7 MHz");
+    CHECK(document::shown_unit(2e-4, "m along").name == "mm");
+    CHECK(document::shown_unit(0.99e13, "Pa/m").name == "MPa/µm");
+    CHECK(document::shown_unit(std::vector<double>{2e12, 3e13, 2e15}, "Pa/m").name == "MPa/µm");
+    CHECK(document::shown_unit(std::vector<double>{2e15, 3e16, 2e12}, "Pa/m").name == "GPa/µm");
+    CHECK(document::unit_of_density(1).heading("contacts") == "contacts [1/m²]");
+    CHECK(document::ShownUnit{}.heading("eta") == "eta");
 }
 
 TEST_CASE("A rounded number has no exponent below 1e5") {
-    CHECK(scene::rounded(112, 2) == "110");
-    CHECK(scene::rounded(99.9, 2) == "100");
-    CHECK(scene::rounded(-1234, 2) == "-1200");
-    CHECK(scene::rounded(99999, 1) == "1e+05");
-    CHECK(scene::rounded(56789, 3) == "56800");
-    CHECK(scene::rounded(123456, 5) == "1.2346e+05");
-    CHECK(scene::rounded(0.00001, 2) == "1e-05");
-    CHECK(scene::rounded(1.8e38, 2) == "1.8e+38");
-    CHECK(scene::rounded(0.5, 2) == "0.5");
+    CHECK(document::rounded(112, 2) == "110");
+    CHECK(document::rounded(99.9, 2) == "100");
+    CHECK(document::rounded(-1234, 2) == "-1200");
+    CHECK(document::rounded(99999, 1) == "1e+05");
+    CHECK(document::rounded(56789, 3) == "56800");
+    CHECK(document::rounded(123456, 5) == "1.2346e+05");
+    CHECK(document::rounded(0.00001, 2) == "1e-05");
+    CHECK(document::rounded(1.8e38, 2) == "1.8e+38");
+    CHECK(document::rounded(0.5, 2) == "0.5");
 }
 
 TEST_CASE("measure and run show a fine map in the same units") {
@@ -81,12 +81,12 @@ TEST_CASE("measure and run show a fine map in the same units") {
         test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --surface '" + folder / "fine.json" + "'");
     const auto parameters = nlohmann::json::parse(test::read(folder / "fine.json"))["surface"];
     const double sigma = parameters["rms_height"]["value"], density = parameters["peak_density"]["value"];
-    CHECK(scene::unit_of_length(sigma).name == "nm");
+    CHECK(document::unit_of_length(sigma).name == "nm");
     CHECK(test::contains(run.out, "sigma " + length(sigma) + ", "));
-    CHECK(test::contains(table.out, scene::unit_of_length(sigma)(sigma).substr(0, 6)));
+    CHECK(test::contains(table.out, document::unit_of_length(sigma)(sigma).substr(0, 6)));
     CHECK(test::contains(table.out, " nm "));
-    CHECK(test::contains(run.out, "D_p " + scene::unit_of_density(density)(density).substr(0, 2)));
-    CHECK(test::contains(table.out, std::string(scene::unit_of_density(density).name)));
+    CHECK(test::contains(run.out, "D_p " + document::unit_of_density(density)(density).substr(0, 2)));
+    CHECK(test::contains(table.out, std::string(document::unit_of_density(density).name)));
     CHECK(measured.status == run.status);
 }
 

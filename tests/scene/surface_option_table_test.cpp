@@ -5,8 +5,8 @@
 
 #include "cli/command.hpp"
 
+#include "actions/measure.hpp"
 #include "scene/scene.hpp"
-#include "surface/documents.hpp"
 
 #include "support/accuracy.hpp"
 
@@ -20,10 +20,10 @@
 
 namespace surface_option_table_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using fstiff::detail::NamedEnum;
-using scene::Amount;
-using scene::SurfaceOptionRow;
+using request::Amount;
+using surface::SurfaceOptionRow;
 using test::contains;
 
 namespace {
@@ -61,8 +61,8 @@ struct Kind {
         return row.more.form == fstiff::request::Form::or_number ? "text or number" : "text";
     }
     std::string operator()(const Amount&) const { return "length"; }
-    std::string operator()(int) const { return row.field_for(scene::SurfaceKind::any).allowed(true).substr(2); }
-    std::string operator()(double) const { return row.field_for(scene::SurfaceKind::any).allowed().substr(2); }
+    std::string operator()(int) const { return row.field_for(surface::SurfaceKind::any).allowed(true).substr(2); }
+    std::string operator()(double) const { return row.field_for(surface::SurfaceKind::any).allowed().substr(2); }
     std::string operator()(bool) const { return "true or false"; }
     template <NamedEnum Enum>
     std::string operator()(Enum) const {
@@ -76,7 +76,7 @@ struct Kind {
 
 /// \p help with the keys of a scene in place of the options of the command line.
 std::string with_keys(std::string help) {
-    for (const SurfaceOptionRow& row : scene::surface_option_table()) {
+    for (const SurfaceOptionRow& row : surface::surface_option_table()) {
         const std::string flag = row.flag_name();
         if (const auto at = help.find(flag); at != std::string::npos)
             help.replace(at, flag.size(), "`" + std::string(row.key) + "`");
@@ -85,18 +85,18 @@ std::string with_keys(std::string help) {
 }
 
 std::string table_of_docs() {
-    const scene::SurfaceOptions options;
+    const surface::SurfaceOptions options;
     std::string table = "| key | value | what it is |\n|---|---|---|\n";
-    for (const SurfaceOptionRow& row : scene::surface_option_table())
+    for (const SurfaceOptionRow& row : surface::surface_option_table())
         table += "| `" + std::string(row.key) + "` | " + row.visit(options, Kind{row}) + " | " +
-                 with_keys(row.field_for(scene::SurfaceKind::any).help) + " |\n";
+                 with_keys(row.field_for(surface::SurfaceKind::any).help) + " |\n";
     return table;
 }
 
 }  // namespace
 
 TEST_CASE("A scene reads every option of a surface as a key, and refuses a value of another kind by its name") {
-    for (const SurfaceOptionRow& row : scene::surface_option_table()) {
+    for (const SurfaceOptionRow& row : surface::surface_option_table()) {
         const std::string key(row.key);
         const std::string text = "[surface]\nfrom = \"trace.txt\"\n" + key + " = [1]\n";
         CHECK(contains(test::refusal([&] { (void)scene::read_scene(text, {.name = "s.toml"}); }),
@@ -111,28 +111,29 @@ TEST_CASE("The command line has every option of a surface, each with the help of
         return std::isspace(static_cast<unsigned char>(a)) && std::isspace(static_cast<unsigned char>(b));
     });
     std::replace(words.begin(), words.end(), '\n', ' ');
-    for (const SurfaceOptionRow& row : scene::surface_option_table()) {
+    for (const SurfaceOptionRow& row : surface::surface_option_table()) {
         INFO(row.key);
         CHECK(contains(words, " " + row.flag_name() + " "));
-        CHECK(contains(words, row.field_for(scene::SurfaceKind::any).help));
+        CHECK(contains(words, row.field_for(surface::SurfaceKind::any).help));
     }
 }
 
 TEST_CASE("The JSON of a measurement has every option of a surface that is not the default") {
     std::vector<double> heights;
     for (int i = 0; i < 400; ++i) heights.push_back(1e-6 * std::sin(0.9 * i) + 3e-7 * std::sin(2.3 * i + 1));
-    scene::MeasureOptions options;
+    surface::MeasureOptions options;
     options.resamples = 2, options.neighbours = false;
-    const auto input = scene::surface_of_heights(options.input, fstiff::Profile<double>{heights, 1e-6}, "from a test");
-    const auto surface = scene::measure_surface(options, input);
+    const auto input =
+        surface::surface_of_heights(options.input, fstiff::Profile<double>{heights, 1e-6}, "from a test");
+    const auto surface = surface::measure_surface(options, input);
     const auto inputs = [&] {
         const std::string text = test::values_of(options, surface).str();
         const auto from = text.find("\"inputs\"");
         return text.substr(from, text.find("\"roughness\"", from) - from);  // which has cut-offs of its own
     };
-    for (const SurfaceOptionRow& row : scene::surface_option_table()) {
+    for (const SurfaceOptionRow& row : surface::surface_option_table()) {
         const std::string before = inputs(), name = "\"" + std::string(row.json_name()) + "\": ";
-        CHECK(contains(before, name) == (row.echo == scene::Echo::always));
+        CHECK(contains(before, name) == (row.echo == surface::Echo::always));
         row.visit(options.input, PutOther{});
         CHECK_FALSE(row.has_same(options.input, {}));
         CHECK(contains(inputs(), name));
@@ -142,13 +143,13 @@ TEST_CASE("The JSON of a measurement has every option of a surface that is not t
 
 TEST_CASE("No two options of a surface have one key, one name on the command line, or one field") {
     std::set<std::string> keys, flags;
-    for (const SurfaceOptionRow& row : scene::surface_option_table()) {
+    for (const SurfaceOptionRow& row : surface::surface_option_table()) {
         CHECK(keys.insert(std::string(row.key)).second);
         CHECK(flags.insert(row.flag_name()).second);
-        CHECK(&scene::surface_option(row.key) == &row);
-        scene::SurfaceOptions options;
+        CHECK(&surface::surface_option(row.key) == &row);
+        surface::SurfaceOptions options;
         row.visit(options, PutOther{});
-        for (const SurfaceOptionRow& other : scene::surface_option_table())
+        for (const SurfaceOptionRow& other : surface::surface_option_table())
             CHECK(other.has_same(options, {}) == (&other != &row));
     }
 }
@@ -165,35 +166,35 @@ TEST_CASE("Lengths are read from a text or taken as numbers, to the same bit") {
     for (const double metres : {1e-6, 0.1 * 3e-6, 1.0 / 3, 2.5e-9, 8e-4}) {
         const Amount number(metres), text(number.text("m"));
         CHECK(number.numbers().front() == metres);
-        CHECK(scene::parse_length(number, "x") == metres);
-        CHECK(scene::parse_length(text, "x") == metres);
-        CHECK(scene::parse_cut_off(text, "x").length() == metres);
+        CHECK(surface::parse_length(number, "x") == metres);
+        CHECK(surface::parse_length(text, "x") == metres);
+        CHECK(surface::parse_cut_off(text, "x").length() == metres);
         const Amount two(std::vector<double>{metres, 10 * metres});
-        CHECK(scene::parse_lengths(Amount(two.text("m")), "x") == two.numbers());
-        const auto window = scene::parse_window(two, "x");
+        CHECK(surface::parse_lengths(Amount(two.text("m")), "x") == two.numbers());
+        const auto window = surface::parse_window(two, "x");
         CHECK(window.from == metres);
         CHECK(window.to == 10 * metres);
     }
-    CHECK(scene::parse_cut_off("none", "x").length() == std::nullopt);
-    CHECK_FALSE(scene::parse_cut_off("none", "x").automatic());
-    CHECK(scene::parse_cut_off("auto", "x").automatic());
-    CHECK(scene::parse_cut_off({}, "x").automatic());
-    CHECK(scene::parse_lengths("0,1 um", "x") == std::vector<double>{0, 1e-6});
+    CHECK(surface::parse_cut_off("none", "x").length() == std::nullopt);
+    CHECK_FALSE(surface::parse_cut_off("none", "x").automatic());
+    CHECK(surface::parse_cut_off("auto", "x").automatic());
+    CHECK(surface::parse_cut_off({}, "x").automatic());
+    CHECK(surface::parse_lengths("0,1 um", "x") == std::vector<double>{0, 1e-6});
 }
 
 TEST_CASE("Lengths that are numbers are refused as their text is") {
     for (const double metres : {0.0, -1e-6}) {
         const Amount number(metres), text(number.text("m"));
-        CHECK(test::refusal([&] { (void)scene::parse_length(number, "--spacing"); }) ==
-              test::refusal([&] { (void)scene::parse_length(text, "--spacing"); }));
+        CHECK(test::refusal([&] { (void)surface::parse_length(number, "--spacing"); }) ==
+              test::refusal([&] { (void)surface::parse_length(text, "--spacing"); }));
     }
     const double infinity = std::numeric_limits<double>::infinity();
-    CHECK(contains(test::refusal([&] { (void)scene::parse_length(infinity, "x"); }), "x = \"inf m\": "));
+    CHECK(contains(test::refusal([&] { (void)surface::parse_length(infinity, "x"); }), "x = \"inf m\": "));
     const Amount falling(std::vector<double>{2e-6, 1e-6}), three(std::vector<double>{1e-6, 2e-6, 3e-6});
     for (const Amount& wrong : {falling, three, Amount(1e-6)})
-        CHECK(test::refusal([&] { (void)scene::parse_window(wrong, "x"); }) ==
-              test::refusal([&] { (void)scene::parse_window(Amount(wrong.text("m")), "x"); }));
-    CHECK(test::refusal([&] { (void)scene::parse_length(falling, "x"); }) ==
+        CHECK(test::refusal([&] { (void)surface::parse_window(wrong, "x"); }) ==
+              test::refusal([&] { (void)surface::parse_window(Amount(wrong.text("m")), "x"); }));
+    CHECK(test::refusal([&] { (void)surface::parse_length(falling, "x"); }) ==
           "x = \"2e-06 m,1e-06 m\": must be one length");
 }
 

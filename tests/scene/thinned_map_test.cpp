@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K of hybrid of a map at every 1st, 2nd, 4th and 8th of its points along both sides, by the map itself and by its
 // numbers: of measured maps (FSTIFF_SURFACES) and of a broad Gaussian one.
-#include "scene/results.hpp"
+#include "actions/results.hpp"
 #include "scene/scene.hpp"
 
 #include "cli/command.hpp"
@@ -45,7 +45,7 @@ std::vector<double> spreads(const HeightMap<double>& map, const std::string& spe
             io::write_csv(out, thinned);
         }
         const auto results =
-            scene::compute(scene::read_scene(scene_of(file, "detrend = \"none\"\n", spectrum), {.name = "s.toml"}));
+            actions::compute(scene::read_scene(scene_of(file, "detrend = \"none\"\n", spectrum), {.name = "s.toml"}));
         REQUIRE(results.curves.size() == 1);
         REQUIRE(results.curves[0].states.size() == 3);
         for (std::size_t i = 0; i < 3; ++i) {

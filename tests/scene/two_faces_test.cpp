@@ -31,7 +31,7 @@ std::string map_text(std::uint64_t seed, double rms) {
 TEST_CASE("A face next to a smooth one is [surface], and the inputs record it") {
     const auto one = test::scene_of("[surface]\n" + numbers + rest),
                same = test::scene_of("[surface.upper]\n" + numbers + rest);
-    CHECK(test::csv_of(compute(one)) == test::csv_of(compute(same)));
+    CHECK(test::csv_of(fstiff::actions::compute(one)) == test::csv_of(fstiff::actions::compute(same)));
     const auto lower = std::find_if(one.inputs.begin(), one.inputs.end(),
                                     [](const auto& input) { return input.key == "surface.lower"; });
     REQUIRE(lower != one.inputs.end());
@@ -88,7 +88,7 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
     const test::Csv of_sum = test::rows_of_scene("[surface]\nfrom = \"sum.txt\"\nunits = \"m\"\n" + rest +
                                                      "laws = [\"hybrid\", \"summits\", \"boundary_elements\"]\n",
                                                  file);
-    const test::Csv rows(test::csv_of(compute(added)));
+    const test::Csv rows(test::csv_of(fstiff::actions::compute(added)));
     int compared = 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t j = 0; j < of_sum.size(); ++j)

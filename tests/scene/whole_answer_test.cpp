@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No pressure is lost without a sentence and a doubtful result, and no sentence contradicts the numbers above it.
 // Truth: limits worked by hand (0.75 E g, the hardness), and the columns themselves.
-#include "scene/explanation.hpp"
+#include "actions/explanation.hpp"
 #include "support/csv.hpp"
 #include "support/library.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace whole_answer_test {
 
-namespace scene = fstiff::scene;
+using namespace fstiff;
 using test::contains;
 
 namespace {
@@ -24,9 +24,9 @@ std::string text_of(double g, const std::string& upper, const std::string& conta
 
 const std::string never = "hardness = \"infinite\"\n";
 
-std::string warned(const scene::Results& results) { return test::joined(results.warnings); }
+std::string warned(const actions::Results& results) { return test::joined(results.warnings); }
 
-std::string cell(const scene::Results& results, const std::string& column, std::size_t row) {
+std::string cell(const actions::Results& results, const std::string& column, std::size_t row) {
     std::istringstream csv(test::csv_of(results));
     std::string line;
     std::getline(csv, line);
@@ -86,7 +86,7 @@ TEST_CASE("A pressure above the hardness is lost with a sentence, whichever laws
 
 TEST_CASE("A pressure without a K keeps its row in the summary") {
     const scene::Scene read = test::scene_of(text_of(0.01, "", "pressures = [\"10 MPa\", \"2 GPa\", \"100 MPa\"]\n"));
-    const auto table = answer_table(read, compute(read));
+    const auto table = actions::answer_table(read, actions::compute(read));
     REQUIRE(table.size() == 4);
     CHECK(table[2][0] == "2 GPa");
     CHECK(table[2][1] == "-");
@@ -135,7 +135,7 @@ TEST_CASE("Where one body alone has a hardness that of the other is assumed, and
     const auto said = [](const std::string& bodies) {
         const scene::Scene read = test::scene_of("[surface]\nSq = \"0.8 um\"\nSdq = 0.1\n[material]\n" + bodies +
                                                  "[contact]\npressures = [\"1 MPa\"]\n");
-        const auto results = compute(read);
+        const auto results = actions::compute(read);
         return test::joined(results.explanation) + test::joined(read.assumptions) +
                test::joined(results.short_explanation);
     };
@@ -181,7 +181,7 @@ TEST_CASE("A band outside of which nothing is left to give asks for nothing") {
         const scene::Scene read =
             test::scene_of("[surface]\nfrom = '" + folder / "map.csv" +
                            "'\n[material]\nupper = \"steel\"\n[contact]\n" + area + "pressures = [\"100 MPa\"]\n");
-        return outside_band(read, compute(read));
+        return actions::outside_band(read, actions::compute(read));
     };
     CHECK(contains(outside(""), "other parts of the face (give contact.nominal_area)"));
     for (const char* area : {"1e-3 mm^2", "4.096e-3 mm^2", "0.1 mm^2"})
@@ -208,7 +208,7 @@ TEST_CASE("Refusals of keys name one place, and options of a law are checked wit
 TEST_CASE("Laws without a band name the reason that holds") {
     const auto why = [](const std::string& surface, const std::string& rest) {
         const scene::Scene read = test::scene_of("[surface]\n" + surface + "[material]\nupper = \"steel\"\n" + rest);
-        return why_no_band(read, compute(read));
+        return actions::why_no_band(read, actions::compute(read));
     };
     const std::string hertz = "[contact]\nlaws = [\"hertz\"]\npressures = [\"1 MPa\"]\n",
                       peaks = "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n";

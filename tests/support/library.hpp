@@ -3,11 +3,11 @@
 // Work of the command on a file or a scene, done by the library in this process: options as they are written on a
 // command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
 // CMake.
-#include "scene/result_rows.hpp"
-#include "scene/results.hpp"
-#include "surface/documents.hpp"
-#include "surface/fractal.hpp"
-#include "surface/islands_of_map.hpp"
+#include "actions/fractal.hpp"
+#include "actions/islands.hpp"
+#include "actions/measure.hpp"
+#include "actions/results.hpp"
+#include "actions/run.hpp"
 #include "surface/measured_surface.hpp"
 #include "surface/surface_option_table.hpp"
 
@@ -32,7 +32,7 @@
 
 namespace test {
 
-inline nlohmann::json parsed(const fstiff::scene::Json& document) { return nlohmann::json::parse(document.str()); }
+inline nlohmann::json parsed(const fstiff::document::Json& document) { return nlohmann::json::parse(document.str()); }
 
 /// The words of \p line; one with blanks is in '...'.
 inline std::vector<std::string> words_of(const std::string& line) {
@@ -75,14 +75,14 @@ struct PutWord {
 };
 
 /// The options of \p line, such as "--lambda-s '8 um' --fill", for the surface in \p file.
-inline fstiff::scene::SurfaceOptions surface_options(const std::string& line, const std::string& file = "-") {
-    fstiff::scene::SurfaceOptions options;
+inline fstiff::surface::SurfaceOptions surface_options(const std::string& line, const std::string& file = "-") {
+    fstiff::surface::SurfaceOptions options;
     options.file = file;
     options.prefix = "--";
     options.format_name = "--input-format";
     const std::vector<std::string> words = words_of(line);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto rows = fstiff::scene::surface_option_table();
+        const auto rows = fstiff::surface::surface_option_table();
         const auto row =
             std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one.flag_name() == words[i]; });
         if (row == rows.end()) throw std::logic_error("no option " + words[i]);
@@ -92,36 +92,39 @@ inline fstiff::scene::SurfaceOptions surface_options(const std::string& line, co
     return options;
 }
 
-inline fstiff::scene::Json values_of(const fstiff::scene::MeasureOptions& how, fstiff::scene::MeasuredSurface surface) {
-    return document_of(how, std::make_shared<const fstiff::scene::MeasuredSurface>(std::move(surface))).values();
+inline fstiff::document::Json values_of(const fstiff::surface::MeasureOptions& how,
+                                        fstiff::surface::MeasuredSurface surface) {
+    return fstiff::actions::document_of(how,
+                                        std::make_shared<const fstiff::surface::MeasuredSurface>(std::move(surface)))
+        .values();
 }
 
 /// The document of fstiff measure for the surface in \p bytes.
 inline nlohmann::json measured(const std::string& line, const std::string& bytes,
-                               fstiff::scene::MeasureOptions how = {}) {
+                               fstiff::surface::MeasureOptions how = {}) {
     how.input = surface_options(line);
-    return parsed(values_of(how, measure_surface(how, bytes)));
+    return parsed(values_of(how, fstiff::surface::measure_surface(how, bytes)));
 }
 
 /// The same for the surface in \p files.
 inline nlohmann::json measured_files(const std::string& line, const std::vector<std::string>& files) {
-    fstiff::scene::MeasureOptions how;
+    fstiff::surface::MeasureOptions how;
     how.input = surface_options(line);
-    return parsed(values_of(how, measure_files(how, files)));
+    return parsed(values_of(how, fstiff::surface::measure_files(how, files)));
 }
 
 /// The document of fstiff measure --show fit for the profile or map in \p bytes.
 inline nlohmann::json fitted(const std::string& line, const std::string& bytes,
-                             fstiff::scene::FractalOptions how = {}) {
+                             fstiff::actions::FractalOptions how = {}) {
     how.surface = surface_options(line);
-    return parsed(document_of(how, fstiff::scene::read_surface_input(how.surface, bytes)).values());
+    return parsed(fstiff::actions::document_of(how, fstiff::surface::read_surface_input(how.surface, bytes)).values());
 }
 
 /// The document of fstiff measure --show islands for the map in \p bytes.
 inline nlohmann::json islands_of(const std::string& line, const std::string& bytes,
-                                 fstiff::scene::IslandsRequest how = {}) {
+                                 fstiff::actions::IslandsRequest how = {}) {
     how.surface = surface_options(line);
-    const auto document = document_of(how, fstiff::scene::read_surface_input(how.surface, bytes));
+    const auto document = fstiff::actions::document_of(how, fstiff::surface::read_surface_input(how.surface, bytes));
     nlohmann::json all = parsed(document.values());
     all["doubtful"] = document.doubtful;
     return all;
@@ -139,22 +142,22 @@ inline fstiff::scene::Scene scene_of(const std::string& text, const std::string&
     return fstiff::scene::read_scene(text, {.name = file});
 }
 
-inline fstiff::scene::Results results_of(const std::string& text, const std::string& file = "scene.toml") {
-    return compute(scene_of(text, file));
+inline fstiff::actions::Results results_of(const std::string& text, const std::string& file = "scene.toml") {
+    return fstiff::actions::compute(scene_of(text, file));
 }
 
 /// The face of \p scene that a smooth one meets.
-inline const fstiff::scene::Face& face(const fstiff::scene::Scene& scene) { return scene.face; }
-inline fstiff::scene::Face& face(fstiff::scene::Scene& scene) { return scene.face; }
+inline const fstiff::detail::Face& face(const fstiff::scene::Scene& scene) { return scene.face; }
+inline fstiff::detail::Face& face(fstiff::scene::Scene& scene) { return scene.face; }
 /// The measured surface of a scene with one rough face.
-inline const fstiff::scene::MeasuredSurface& measured_of(const fstiff::scene::Scene& scene) {
+inline const fstiff::surface::MeasuredSurface& measured_of(const fstiff::scene::Scene& scene) {
     return *scene.measured.front();
 }
 
 /// CSV output of fstiff run.
-inline std::string csv_of(const fstiff::scene::Results& results) {
+inline std::string csv_of(const fstiff::actions::Results& results) {
     std::string text;
-    for (const auto& curve : results.curves) text += rows_of(results, curve).csv(text.empty());
+    for (const auto& curve : results.curves) text += fstiff::actions::point_rows(results, curve).csv(text.empty());
     return text;
 }
 

@@ -13,7 +13,7 @@
 namespace lines_test {
 
 using namespace fstiff::sweep;
-namespace scene = fstiff::scene;
+using namespace fstiff;
 
 namespace {
 
@@ -43,7 +43,7 @@ TEST_CASE("The lines of a grid are those of its scenes, each read and computed b
         std::string line;
         try {
             const scene::Scene slow = scene::read_table(table_of(grid, values), {.name = grid.file});
-            for (const scene::Curve& curve : scene::compute(slow).curves) {
+            for (const actions::Curve& curve : actions::compute(slow).curves) {
                 REQUIRE(std::getline(lines, line));
                 const auto row = nlohmann::json::parse(line);
                 INFO(line);

@@ -21,8 +21,8 @@ constexpr Row other_files[] = {
     {"curve", ".csv", "text: pressure, and stiffness or reflection, with their errors if they are known",
      "an argument of identify --measured or ultrasound --reflection", "the columns and units in its first line"}};
 
-Document formats() {
-    Document document("formats", 15);
+document::Document formats() {
+    document::Document document("formats", 15);
     document.title("files that are read");
     std::vector<Row> rows;
     for (const io::detail::Reader* reader : io::detail::readers())
@@ -39,7 +39,7 @@ Document formats() {
         "is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a byte\n"
         "order mark, or of an 8-bit code page. Export files of other instruments from their own program, or convert\n"
         "them to X3P by a line of Python (docs/formats.md).");
-    Rows table;
+    document::Rows table;
     table.add({"name"}, rows, &Row::name);
     table.add({"endings"}, rows, &Row::endings);
     table.add({"holds"}, rows, &Row::holds);

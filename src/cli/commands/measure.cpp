@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff measure: every parameter of a scene's [surface] from a measured profile or map, with errors.
+#include "actions/measure.hpp"
+#include "actions/scales.hpp"
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "scene/scales.hpp"
-#include "surface/documents.hpp"
 
 #include <fstiff/io/units.hpp>
 
@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
     OutputOptions output;
-    scene::MeasureOptions measure;
+    surface::MeasureOptions measure;
     std::vector<std::string> files;
     bool scales = false;
     std::string show;  ///< a command of its own, which Program::forward() chooses
@@ -27,23 +27,24 @@ struct Options {
 /// The document of --scales.
 Report execute_scales(const Options& options) {
     if (options.files.size() != 1) throw Usage("--scales is of one file");
-    ScalesOptions how{.progress = progress_bar()};
-    how.pressure = parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
-    how.modulus = parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
-    scene::MeasureOptions measure = options.measure;
+    actions::ScalesOptions load{.progress = progress_bar()};
+    load.pressure = document::parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
+    load.modulus = document::parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
+    surface::MeasureOptions measure = options.measure;
     measure.input.file = options.files.front();
-    const SurfaceInput input = read_surface_input(measure.input);
-    const auto surface = std::make_shared<const MeasuredSurface>(measure_surface(measure, input, progress_bar()));
-    const Scales scales = scales_of(*surface, input, how);
-    return report(document_of(measure, surface, scales, how), options.output.chosen());
+    const surface::SurfaceInput input = read_surface_input(measure.input);
+    const auto surface =
+        std::make_shared<const surface::MeasuredSurface>(measure_surface(measure, input, progress_bar()));
+    const actions::Scales scales = scales_of(*surface, input, load);
+    return report(document_of(measure, surface, scales, load), options.output.chosen());
 }
 
 Report execute(const Options& options) {
     if (options.scales) return execute_scales(options);
-    scene::MeasureOptions measure = options.measure;
+    surface::MeasureOptions measure = options.measure;
     measure.keep_maps = false;
-    return report(document_of(options.measure, std::make_shared<const MeasuredSurface>(
-                                                   measure_files(measure, options.files, progress_bar()))),
+    return report(actions::document_of(options.measure, std::make_shared<const surface::MeasuredSurface>(
+                                                            measure_files(measure, options.files, progress_bar()))),
                   options.output.chosen());
 }
 
@@ -53,7 +54,7 @@ Report execute(const Options& options) {
 Command add_measure(Arguments& command) {
     using namespace measure_command;
     auto options = std::make_shared<Options>();
-    scene::MeasureOptions& measure = options->measure;
+    surface::MeasureOptions& measure = options->measure;
     command.option(
         "files", options->files,
         {.help = "profile or map of any form; - is standard input. Several files of one surface, or a folder of them, "
@@ -77,7 +78,7 @@ Command add_measure(Arguments& command) {
         {.help = "another analysis of the file, with its own options (--show fit --help lists them): fit (D and G), "
                  "islands (for a map), peaks (for a profile) or spectrum",
          .words = {"fit", "islands", "peaks", "spectrum"}});
-    add_output_options(command, options->output, Format::json);
+    add_output_options(command, options->output, document::Format::json);
     return {&options->output, [options] { return execute(*options); }};
 }
 

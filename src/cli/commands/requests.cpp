@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The commands that are a request: their options, and the document that answers.
+#include "actions/export.hpp"
+#include "actions/fractal.hpp"
+#include "actions/generate.hpp"
+#include "actions/identify.hpp"
+#include "actions/islands.hpp"
+#include "actions/peak_density.hpp"
+#include "actions/spectrum.hpp"
+#include "actions/truth.hpp"
+#include "actions/ultrasound.hpp"
 #include "commands/commands.hpp"
 #include "input/progress.hpp"
 #include "input/scene_options.hpp"
 #include "input/surface_options.hpp"
-#include "scene/exported_law.hpp"
-#include "scene/identified.hpp"
-#include "scene/reflections.hpp"
-#include "surface/fractal.hpp"
-#include "surface/generated.hpp"
-#include "surface/islands_of_map.hpp"
-#include "surface/peak_density.hpp"
-#include "surface/spectrum.hpp"
-#include "surface/truth_of_map.hpp"
 
 #include <fstiff/asperity/material.hpp>
 
@@ -28,12 +28,14 @@ struct Given {
     SceneOptions scene{};
     Request request{};
 
-    [[nodiscard]] Report report(const Document& document) const { return cli::report(document, output.format); }
+    [[nodiscard]] Report report(const document::Document& document) const {
+        return cli::report(document, output.format);
+    }
 };
 
 template <class Request>
 Report answered(const Given<Request>& given) {
-    return given.report(document_of(given.request));
+    return given.report(actions::document_of(given.request));
 }
 
 /// A command: \p add adds its options, and \p answer is called with what was given.
@@ -43,7 +45,7 @@ Command request_command(Arguments& command, const Add& add, Report (*answer)(con
     const auto given = std::make_shared<Given<Request>>();
     if constexpr (requires { given->request.prefix; }) given->request.prefix = "--";
     add(*given);
-    given->output.format = Format::csv;  // that of a file
+    given->output.format = document::Format::csv;  // that of a file
     is_file ? add_output_option(command, given->output) : add_output_options(command, given->output);
     return {&given->output, [given, answer] {
                 Given<Request> own = *given;
@@ -55,27 +57,27 @@ Command request_command(Arguments& command, const Add& add, Report (*answer)(con
 constexpr const char* profile_or_map = "profile or map, as fstiff formats lists them; - is standard input";
 
 /// What is solved, as text; the request has the numbers.
-struct TruthTexts : TruthRequest {
+struct TruthTexts : actions::TruthRequest {
     std::string scene{}, at{}, effective_modulus{}, cut{};
 };
 
 std::vector<double> pressures_of(const std::string& list) {
     std::vector<double> pressures;
-    for (const std::string& part : split_at_commas(list)) {
+    for (const std::string& part : surface::split_at_commas(list)) {
         if (part.find_first_not_of("0123456789+-.eE ") == std::string::npos)
             throw domain_error("--pressures = \"" + list +
                                "\": every pressure needs its unit, and the point as decimal mark");
-        pressures.push_back(parse_positive(part, io::Dimension::pressure, "--pressures"));
+        pressures.push_back(document::parse_positive(part, io::Dimension::pressure, "--pressures"));
     }
     return pressures;
 }
 
-TruthRequest numbers_of(const TruthTexts& texts) {
-    const Scene scene = read_scene(SceneOptions{texts.scene, ""});
+actions::TruthRequest numbers_of(const TruthTexts& texts) {
+    const scene::Scene scene = read_scene(SceneOptions{texts.scene, ""});
     const auto positive = [](const std::string& text, const char* name) {
-        return parse_positive(text, io::Dimension::pressure, name);
+        return document::parse_positive(text, io::Dimension::pressure, name);
     };
-    TruthRequest request = texts;
+    actions::TruthRequest request = texts;
     request.modulus = texts.effective_modulus.empty() ? effective_modulus(scene.upper, scene.lower)
                                                       : positive(texts.effective_modulus, "--modulus");
     if (texts.at.empty() && scene.at_separations)
@@ -96,7 +98,7 @@ TruthRequest numbers_of(const TruthTexts& texts) {
 }  // namespace
 
 Command add_fit(Arguments& command) {
-    return request_command<FractalOptions>(command, [&](auto& given) {
+    return request_command<actions::FractalOptions>(command, [&](auto& given) {
         command.option("profile", given.request.surface.file, {.help = profile_or_map, .required = true});
         add_surface_options(command, given.request.surface);
         for (const char* key : {"window", "tip_radius", "resolution"})
@@ -106,21 +108,21 @@ Command add_fit(Arguments& command) {
 }
 
 Command add_islands(Arguments& command) {
-    return request_command<IslandsRequest>(command, [&](auto& given) {
+    return request_command<actions::IslandsRequest>(command, [&](auto& given) {
         command.option("map", given.request.surface.file,
                        {.help = "map, as fstiff formats lists them; - is standard input", .required = true});
-        add_surface_options(command, given.request.surface, SurfaceKind::map);
+        add_surface_options(command, given.request.surface, surface::SurfaceKind::map);
         command.fields(given.request);
     });
 }
 
 Command add_peaks(Arguments& command) {
-    return request_command<PeakDensityRequest>(command, [&](auto& given) {
+    return request_command<actions::PeakDensityRequest>(command, [&](auto& given) {
         given.request.profile = "--profile";
         command.fields(given.request);
         command.option("profile,--profile", given.request.surface.file,
                        {.help = "measured profile, as fstiff formats lists them; - is standard input"});
-        add_surface_options(command, given.request.surface, SurfaceKind::profile);
+        add_surface_options(command, given.request.surface, surface::SurfaceKind::profile);
     });
 }
 
@@ -130,15 +132,15 @@ Command add_spectrum(Arguments& command) {
         command.fields(given.request);
         add_surface_options(command, given.request.surface);
     };
-    return request_command<SpectrumRequest>(command, add);
+    return request_command<actions::SpectrumRequest>(command, add);
 }
 
 Command add_ultrasound(Arguments& command) {
-    return request_command<ReflectionRequest>(command, [&](auto& given) { command.fields(given.request); });
+    return request_command<actions::ReflectionRequest>(command, [&](auto& given) { command.fields(given.request); });
 }
 
 Command add_generate(Arguments& command) {
-    return request_command<GenerateRequest>(
+    return request_command<actions::GenerateRequest>(
         command, [&](auto& given) { command.fields(given.request); }, answered, true);
 }
 
@@ -149,14 +151,14 @@ Command add_identify(Arguments& command) {
                           "sand-blasted surface of the paper");
         command.fields(given.request);
     };
-    const auto answer = [](const Given<IdentifyRequest>& given) {
+    const auto answer = [](const Given<actions::IdentifyRequest>& given) {
         if (given.scene.scene == "-" && given.request.measured == "-")
             throw Usage("the scene and --measured are both standard input; one of them must be a file");
-        (void)parameters_of(given.request);  // their errors are reported before the scene is read
-        const Scene scene = read_scene(given.scene);
-        return given.report(document_of(scene, identify_scene(scene, given.request)));
+        (void)actions::parameters_of(given.request);  // their errors are reported before the scene is read
+        const scene::Scene scene = read_scene(given.scene);
+        return given.report(actions::document_of(scene, actions::identify_scene(scene, given.request)));
     };
-    return request_command<IdentifyRequest>(command, add, answer);
+    return request_command<actions::IdentifyRequest>(command, add, answer);
 }
 
 Command add_export(Arguments& command) {
@@ -167,12 +169,12 @@ Command add_export(Arguments& command) {
             "profile, map, or JSON of fstiff measure, in place of the scene's [surface]; - is standard input");
         command.fields(given.request);
     };
-    const auto answer = [](const Given<ExportRequest>& given) {
+    const auto answer = [](const Given<actions::ExportRequest>& given) {
         if (const std::string file = given.output.target(); !file.empty()) require_own(file);
-        check(given.request);  // its errors are reported before the scene is read
-        return given.report(document_of(read_scene(given.scene), given.request));
+        actions::check(given.request);  // its errors are reported before the scene is read
+        return given.report(actions::document_of(read_scene(given.scene), given.request));
     };
-    return request_command<ExportRequest>(command, add, answer, true);
+    return request_command<actions::ExportRequest>(command, add, answer, true);
 }
 
 Command add_truth(Arguments& command) {
@@ -191,7 +193,7 @@ Command add_truth(Arguments& command) {
         command.fields(request);
     };
     const auto answer = [](const Given<TruthTexts>& given) {
-        return given.report(document_of(numbers_of(given.request)));
+        return given.report(actions::document_of(numbers_of(given.request)));
     };
     return request_command<TruthTexts>(command, add, answer);
 }

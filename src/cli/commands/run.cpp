@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff run: a scene to its curves, one per law and peak density.
+#include "actions/run.hpp"
 #include "commands/commands.hpp"
 #include "input/scene_options.hpp"
 #include "picture/plot.hpp"
-#include "scene/result_rows.hpp"
 
 #include <memory>
 
@@ -23,8 +23,8 @@ struct Options {
 };
 
 /// The results between the points of \p scene; none where it has enough, or no law reaches any.
-std::optional<Results> between_points(const Scene& scene) {
-    const Scene between = with_finer_points(scene, true);
+std::optional<actions::Results> between_points(const scene::Scene& scene) {
+    const scene::Scene between = actions::with_finer_points(scene, true);
     if (between.points.empty()) return std::nullopt;
     try {
         return computed(between);
@@ -40,8 +40,8 @@ Report execute(const Options& options) {
         return {example_scene, {}, success};
     }
     keep_for_picture(options.picture);
-    const Scene scene = read_scene(options.scene);
-    const Results results = computed(scene);
+    const scene::Scene scene = read_scene(options.scene);
+    const actions::Results results = computed(scene);
     return with_picture(
         report(document_of(scene, results, options.full), options.output.format),
         [&] { return results_figure(scene, results, between_points(scene)); }, options.picture);

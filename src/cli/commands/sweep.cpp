@@ -37,21 +37,21 @@ struct Options {
 std::string results_file(std::string file, const sweep::Shard& shard) {
     const std::string place = "{shard}", number = std::to_string(shard.number);
     const std::string padded = std::string(std::to_string(shard.of).size() - number.size(), '0') + number;
-    for (std::size_t at = file.find(place); at != std::string::npos; at = file.find(place))
-        file.replace(at, place.size(), padded);
+    for (std::size_t begin = file.find(place); begin != std::string::npos; begin = file.find(place))
+        file.replace(begin, place.size(), padded);
     return file;
 }
 
-std::string summary(const sweep::Grid& grid, const sweep::Description& of, const std::string& file) {
-    std::string text = "fstiff sweep: " + printable(grid.file) + ", " + counted(grid.size, "scene");
-    if (of.shard.of > 1)
-        text += ", of which shard " + of.shard.text() + " has " +
-                std::to_string(of.shard.end(grid.size) - of.shard.first(grid.size));
-    text += "; results in " + printable(file) + "\n";
+std::string summary(const sweep::Grid& grid, const sweep::Description& description, const std::string& file) {
+    std::string text = "fstiff sweep: " + document::printable(grid.file) + ", " + counted(grid.size, "scene");
+    if (description.shard.of > 1)
+        text += ", of which shard " + description.shard.text() + " has " +
+                std::to_string(description.shard.end(grid.size) - description.shard.first(grid.size));
+    text += "; results in " + document::printable(file) + "\n";
     for (const sweep::Axis& axis : grid.axes) {
         text += "  " + axis.key;
         if (!axis.unit.empty()) text += " [" + axis.unit + "]";
-        const auto shown = [](double value) { return rounded(value, 6); };
+        const auto shown = [](double value) { return document::rounded(value, 6); };
         if (axis.range)
             text += ": " + shown(axis.range->from) + " to " + shown(axis.range->to) + ", " +
                     std::to_string(axis.range->count) + " values by " +
@@ -87,10 +87,11 @@ Report execute(const Options& options) {
     sweep::require_lines(file);
     require_writable(file);
     keep_for_output(file);
-    const sweep::Grid grid = sweep::read_grid(read_all(options.grid, longest_scene), display_name(options.grid));
+    const sweep::Grid grid = sweep::read_grid(document::read_all(options.grid, document::longest_scene),
+                                              document::display_name(options.grid));
     for (const std::string& named : grid.files) require_no_output(named);
     std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
-    if (!std::filesystem::exists(path_of(sweep::description_file(file)))) maker.emplace(grid);
+    if (!std::filesystem::exists(document::path_of(sweep::description_file(file)))) maker.emplace(grid);
     sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
     Report report;
     if (results.dropped() > 0)
@@ -111,10 +112,10 @@ Report execute(const Options& options) {
                                          " ran; the system has no room for more");
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    report.diagnostics.push_back(first == end
-                                     ? "nothing is left to compute"
-                                     : counted(end - first, "scene") + " in " + rounded(seconds, 3) + " s, " +
-                                           rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
+    report.diagnostics.push_back(
+        first == end ? "nothing is left to compute"
+                     : counted(end - first, "scene") + " in " + document::rounded(seconds, 3) + " s, " +
+                           document::rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
     report.document = summary(grid, results.description(), file);
     if (const std::uint64_t failed = results.description().failed; failed > 0) {
         report.diagnostics.push_back(

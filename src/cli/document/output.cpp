@@ -21,7 +21,7 @@ namespace fstiff::cli {
 namespace {
 
 namespace fs = std::filesystem;
-namespace os = scene::os;
+namespace os = document::os;
 
 [[noreturn]] void cannot_write(const std::string& file, int reason) {
     const char* wanted = reason == ENOENT || reason == ENOTDIR ? "; the folder must exist"
@@ -86,17 +86,17 @@ NamedFiles& named_files() {
 
 void require_apart(const fs::path& output, const std::string& input) {
     std::error_code none;
-    const fs::path file = path_of(input == "-" ? "/dev/stdin" : input);
+    const fs::path file = document::path_of(input == "-" ? "/dev/stdin" : input);
     if (fs::is_regular_file(output, none) &&
         fs::equivalent(fs::is_directory(file, none) ? output.parent_path() : output, file, none))
-        throw file_error(name_of_path(output),
+        throw file_error(document::name_of_path(output),
                          "is an input of this command and would be written over; give the output another name");
 }
 
 }  // namespace
 
-Format OutputOptions::chosen() const {
-    return for_people && target().empty() && os::is_terminal(stdout) ? Format::table : format;
+document::Format OutputOptions::chosen() const {
+    return for_people && target().empty() && os::is_terminal(stdout) ? document::Format::table : format;
 }
 
 std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
@@ -105,13 +105,13 @@ void refuse_standard_output(const std::string& output, std::string_view wanted) 
     if (output == "-") throw Usage("--output = \"-\": is standard output; must be " + std::string(wanted));
 }
 
-Report report(const Document& document, Format format) {
-    Report made{
+Report report(const document::Document& document, document::Format format) {
+    Report report{
         .document = document.str(format), .diagnostics = {}, .status = document.doubtful ? doubtful_result : success};
-    if (format == Format::table) return made;
-    if (format == Format::csv) made.diagnostics = document.notes;
-    for (const std::string& warning : document.warnings) made.diagnostics.push_back("warning: " + warning);
-    return made;
+    if (format == document::Format::table) return report;
+    if (format == document::Format::csv) report.diagnostics = document.notes;
+    for (const std::string& warning : document.warnings) report.diagnostics.push_back("warning: " + warning);
+    return report;
 }
 
 void say_written(Report& report, const std::vector<std::string>& files) {
@@ -127,7 +127,7 @@ void name_inputs(std::vector<std::string> texts) {
 
 void keep_for_output(const std::string& file) {
     std::error_code error;
-    const fs::path path = output_target(file);
+    const fs::path path = document::output_target(file);
     auto& [outputs, inputs] = named_files();
     for (const auto& other : outputs)
         if (path == other && (!fs::exists(path, error) || fs::is_regular_file(path, error)))
@@ -142,7 +142,7 @@ void require_no_output(const std::string& input) {
 
 void require_writable(const std::string& file) {
     std::error_code error;
-    const fs::path target = output_target(file);
+    const fs::path target = document::output_target(file);
     if (fs::is_directory(target, error)) throw file_error(file, "is a folder; the output must be a file");
     if (!fs::is_directory(target.parent_path(), error)) cannot_write(file, ENOENT);
     if (fs::exists(target, error) && !os::is_writable(target)) cannot_write(file, errno);
@@ -150,7 +150,7 @@ void require_writable(const std::string& file) {
 
 void require_own(const std::string& file) {
     std::error_code error;
-    const fs::path path = path_of(file);
+    const fs::path path = document::path_of(file);
     if (!fs::is_regular_file(path, error) && fs::exists(path, error)) return;  // a pipe, which nothing is read from
     std::ifstream stream(path, std::ios::binary);
     std::string line(200, '\0');
@@ -177,7 +177,7 @@ void deliver(const std::vector<OutputFile>& files) {
     std::error_code error;
     std::vector<fs::path> targets, partials;
     for (const OutputFile& file : files) {
-        targets.push_back(output_target(file.name));
+        targets.push_back(document::output_target(file.name));
         const bool replaces = fs::exists(targets.back(), error);
         if (replaces && !fs::is_regular_file(targets.back(), error) && !fs::is_directory(targets.back(), error))
             partials.emplace_back();  // /dev/stdout, a pipe: written as it is

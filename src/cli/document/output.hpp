@@ -12,8 +12,6 @@
 
 namespace fstiff::cli {
 
-using namespace scene;  // the command is one of its users
-
 /// Exit codes of the command.
 enum Status : int { success = 0, internal_error = 1, usage_error = 2, input_error = 3, doubtful_result = 4 };
 
@@ -24,14 +22,14 @@ public:
 };
 
 struct OutputOptions {
-    Format format = Format::table;
+    document::Format format = document::Format::table;
     bool for_people = false;  ///< on a terminal the table, unless a format is given
     std::string file;         ///< as it was given; empty: standard output
 
     /// The file to write; empty for standard output, which "-" is too.
     [[nodiscard]] std::string target() const;
     /// How the document is written there.
-    [[nodiscard]] Format chosen() const;
+    [[nodiscard]] document::Format chosen() const;
 };
 
 /// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.
@@ -45,7 +43,7 @@ struct Report {
 };
 
 /// What of \p document goes where in this form: the warnings are in its table, else on standard error.
-[[nodiscard]] Report report(const Document& document, Format format);
+[[nodiscard]] Report report(const document::Document& document, document::Format format);
 /// Puts a line about each of \p files before the other diagnostics.
 void say_written(Report& report, const std::vector<std::string>& files);
 

@@ -73,7 +73,7 @@ Usage no_command(const CLI::App& program, const std::string& word) {
 
 bool is_existing_file(const std::string& word) {
     std::error_code none;
-    return std::filesystem::exists(scene::path_of(word), none);
+    return std::filesystem::exists(document::path_of(word), none);
 }
 
 /// The sentence about what CLI11 refused.
@@ -182,17 +182,17 @@ Program::~Program() = default;
 void Program::join(std::vector<std::string>& words, std::size_t first) const {
     for (const CommandRow& row : commands_) {
         std::istringstream text(row.name);
-        const std::vector<std::string> of{std::istream_iterator<std::string>(text), {}};
-        if (of.size() == 1 || words.size() <= first || words[first] != of.front()) continue;
+        const std::vector<std::string> example{std::istream_iterator<std::string>(text), {}};
+        if (example.size() == 1 || words.size() <= first || words[first] != example.front()) continue;
         const auto begin = words.begin() + static_cast<std::ptrdiff_t>(first);
-        auto at = std::search(begin, words.end(), of.begin() + 1, of.end());
-        auto end = at + (at == words.end() ? 0 : std::ssize(of) - 1);
-        if (at == words.end() && of.size() == 3) {  // --option=value
-            at = std::find(begin, words.end(), of[1] + "=" + of[2]);
-            end = at + (at == words.end() ? 0 : 1);
+        auto place = std::search(begin, words.end(), example.begin() + 1, example.end());
+        auto end = place + (place == words.end() ? 0 : std::ssize(example) - 1);
+        if (place == words.end() && example.size() == 3) {  // --option=value
+            place = std::find(begin, words.end(), example[1] + "=" + example[2]);
+            end = place + (place == words.end() ? 0 : 1);
         }
-        if (at == words.end()) continue;
-        words.erase(at, end);
+        if (place == words.end()) continue;
+        words.erase(place, end);
         words[first] = row.name;
         return;
     }
@@ -202,7 +202,7 @@ Command Program::add_options(const std::string& name) {
     for (const auto& [old, now] : old_names_)
         if (name == old) throw Usage(name + ": " + std::string(now));
     const auto row =
-        std::find_if(commands_.begin(), commands_.end(), [&](const auto& one) { return one.name == name; });
+        std::find_if(commands_.begin(), commands_.end(), [&](const auto& command) { return command.name == name; });
     if (row == commands_.end()) throw no_command(*app_, name);
     Arguments arguments(*app_->get_subcommand(name));
     return row->add(arguments);

@@ -37,15 +37,15 @@ public:
         else
             add(name, field,
                 {kind_of<Member>(), words_of<Member>(), default_of(to), &to,
-                 [](const Value& value, void* member, const std::string& key, const request::Field& of) {
-                     request::put(value, *static_cast<Member*>(member), key, of);
+                 [](const Value& value, void* member, const std::string& key, const request::Field& range) {
+                     request::put(value, *static_cast<Member*>(member), key, range);
                  }});
     }
     /// Every field of \p owner, which are the targets.
     template <class Owner>
     void fields(Owner& owner) {
         owner.each_field([&](std::string_view key, auto& to, const request::Field& field) {
-            option((field.positional ? "" : "--") + scene::with_dashes(key), to, field);
+            option((field.positional ? "" : "--") + surface::with_dashes(key), to, field);
         });
     }
     /// Where the value of an option goes. One function for each type, not for each option, keeps the program small.

@@ -15,8 +15,8 @@ std::string roff(const std::string& text) {
     static constexpr std::string_view letters = "\\-^~`'", names[] = {"e", "-", "(ha", "(ti", "(ga", "(aq"};
     std::string out = text.starts_with('.') ? "\\&" : "";
     for (const char c : text) {
-        if (const auto at = letters.find(c); at != std::string_view::npos)
-            out += '\\' + std::string(names[at]);
+        if (const auto place = letters.find(c); place != std::string_view::npos)
+            out += '\\' + std::string(names[place]);
         else
             out += c;
         if (c == ',' && text.find('{') != std::string::npos) out += "\\:";

@@ -19,8 +19,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 std::string duration(double seconds) {
-    const long long whole = std::llround(std::min(seconds, 1e9));
-    return (whole < 60 ? "" : std::to_string(whole / 60) + " min ") + std::to_string(whole % 60) + " s";
+    const long long total = std::llround(std::min(seconds, 1e9));
+    return (total < 60 ? "" : std::to_string(total / 60) + " min ") + std::to_string(total % 60) + " s";
 }
 
 class Bar {
@@ -32,7 +32,7 @@ public:
         if (shown_) std::cerr << "\r\x1b[K" << std::flush;
     }
 
-    void operator()(std::string_view what, std::size_t done, std::size_t all) {
+    void operator()(std::string_view what, std::size_t done, std::size_t total) {
         const auto now = Clock::now();
         if (what != what_ || done < done_) {  // another part
             what_ = what;
@@ -40,16 +40,16 @@ public:
             first_ = done;
         }
         done_ = done;
-        if (now < next_ || done <= first_ || all == 0) return;
+        if (now < next_ || done <= first_ || total == 0) return;
         next_ = now + std::chrono::milliseconds(100);
         shown_ = true;
-        const double share = std::min(static_cast<double>(done) / static_cast<double>(all), 1.0);
+        const double share = std::min(static_cast<double>(done) / static_cast<double>(total), 1.0);
         const double rate = static_cast<double>(done - first_) / std::chrono::duration<double>(now - begun_).count();
         const auto full = static_cast<std::size_t>(share * width);
         std::cerr << "\r" << what_ << " [" << std::string(full, '#') << std::string(width - full, '.') << "] "
                   << static_cast<int>(100 * share) << " %, "
                   << (with_rate_ ? detail::rounded_text(rate, 3) + "/s, " : "")
-                  << duration(static_cast<double>(all - std::min(done, all)) / rate) << " left\x1b[K" << std::flush;
+                  << duration(static_cast<double>(total - std::min(done, total)) / rate) << " left\x1b[K" << std::flush;
     }
 
 private:
@@ -64,9 +64,9 @@ private:
 
 ProgressHook progress_bar(bool with_rate) {
     const char* terminal = std::getenv("TERM");
-    if (!scene::os::is_terminal(stderr) || (terminal && std::string_view(terminal) == "dumb")) return {};
-    return [bar = std::make_shared<Bar>(with_rate)](std::string_view what, std::size_t done, std::size_t all) {
-        (*bar)(what, done, all);
+    if (!document::os::is_terminal(stderr) || (terminal && std::string_view(terminal) == "dumb")) return {};
+    return [bar = std::make_shared<Bar>(with_rate)](std::string_view what, std::size_t done, std::size_t total) {
+        (*bar)(what, done, total);
     };
 }
 

@@ -17,21 +17,22 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
     if (!surface_help.empty()) arguments.option("--surface", options.surface, {.help = surface_help});
 }
 
-Scene read_scene(const SceneOptions& options) {
+scene::Scene read_scene(const SceneOptions& options) {
     if (options.scene == "-" && options.surface == "-")
         throw Usage("the scene and --surface are both standard input; one of them must be a file");
     const bool builtin = options.scene.empty();
-    Scene scene = scene::read_scene(builtin ? builtin_scene : read_all(options.scene, longest_scene),
-                                    {.name = builtin ? "built-in scene" : display_name(options.scene),
-                                     .surface = options.surface,
-                                     .progress = progress_bar()});
+    scene::Scene scene =
+        scene::read_scene(builtin ? scene::builtin_scene : document::read_all(options.scene, document::longest_scene),
+                          {.name = builtin ? "built-in scene" : document::display_name(options.scene),
+                           .surface = options.surface,
+                           .progress = progress_bar()});
     for (const std::string& file : scene.files) require_no_output(file);
     return scene;
 }
 
-Results computed(const Scene& scene) {
+actions::Results computed(const scene::Scene& scene) {
     const ProgressHook progress = progress_bar();
-    return scene::compute(scene, progress, [&](std::size_t count, const Piece& run) {
+    return actions::compute(scene, progress, [&](std::size_t count, const Piece& run) {
         std::atomic<std::size_t> next = 0;
         const auto work = [&] {
             for (std::size_t i; (i = next++) < count;) run(i);

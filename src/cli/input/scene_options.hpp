@@ -2,9 +2,9 @@
 #pragma once
 // The scene of a subcommand: its options, its reading, and its results.
 
+#include "actions/results.hpp"
 #include "document/output.hpp"
 #include "input/arguments.hpp"
-#include "scene/results.hpp"
 
 #include <string>
 #include <vector>
@@ -21,9 +21,9 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
                        const std::string& surface_help = "");
 
 /// \throws Usage when both files are standard input, domain_error as fstiff::scene::read_scene.
-[[nodiscard]] Scene read_scene(const SceneOptions& options);
+[[nodiscard]] scene::Scene read_scene(const SceneOptions& options);
 
 /// compute() of \p scene on as many threads as the machine has cores, or as start, with progress_bar().
-[[nodiscard]] Results computed(const Scene& scene);
+[[nodiscard]] actions::Results computed(const scene::Scene& scene);
 
 }  // namespace fstiff::cli

@@ -12,9 +12,10 @@
 namespace fstiff::cli {
 
 /// Adds the option of \p key, with its help, range and words for \p kind.
-void add_surface_option(Arguments& arguments, SurfaceOptions& options, std::string_view key,
-                        SurfaceKind kind = SurfaceKind::any);
+void add_surface_option(Arguments& arguments, surface::SurfaceOptions& options, std::string_view key,
+                        surface::SurfaceKind kind = surface::SurfaceKind::any);
 /// Adds every option of the table but those of an estimate. Not the file itself.
-void add_surface_options(Arguments& arguments, SurfaceOptions& options, SurfaceKind kind = SurfaceKind::any);
+void add_surface_options(Arguments& arguments, surface::SurfaceOptions& options,
+                         surface::SurfaceKind kind = surface::SurfaceKind::any);
 
 }  // namespace fstiff::cli

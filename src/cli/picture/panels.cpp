@@ -2,7 +2,7 @@
 // The figure of results, and its files: the picture, and its numbers as CSV.
 #include "picture/plot.hpp"
 
-#include "scene/result_rows.hpp"
+#include "actions/run.hpp"
 
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/core/error.hpp>
@@ -14,6 +14,9 @@
 #include <filesystem>
 
 namespace fstiff::cli {
+
+using actions::Curve;
+
 namespace {
 
 constexpr std::size_t most_curves = 8, most_marks = 12;
@@ -41,27 +44,31 @@ bool is_truth(const Curve& curve) { return curve.law->name == "boundary_elements
 bool is_answer(const Curve& curve) { return !curve.by.empty(); }
 
 /// The answer, then the laws in the order of the scene.
-std::vector<DrawnCurve> curves_of(const Results& results, const std::optional<Results>& between) {
+std::vector<DrawnCurve> curves_of(const actions::Results& results, const std::optional<actions::Results>& between) {
     std::vector<DrawnCurve> curves;
     for (const Curve* own : shown_curves(results)) {
         if (own->states.empty()) continue;  // no pressure is within its reach
         curves.push_back({own});
-        for (const Curve* one : between ? shown_curves(*between) : std::vector<const Curve*>())
-            if (one->law == own->law && one->theta == own->theta && one->r == own->r &&
-                is_answer(*one) == is_answer(*own))
-                curves.back().between = one;
+        for (const Curve* fine : between ? shown_curves(*between) : std::vector<const Curve*>())
+            if (fine->law == own->law && fine->theta == own->theta && fine->r == own->r &&
+                is_answer(*fine) == is_answer(*own))
+                curves.back().between = fine;
     }
     return curves;
 }
 
 /// \p quantity of \p curve in a unit by \p factor, with the ends of its band or, of boundary elements, with the error
 /// of K as bars.
-PlotLine line_of(const DrawnCurve& curve, CurveQuantity quantity, const ShownUnit& unit_of_pressure, double factor) {
+PlotLine line_of(const DrawnCurve& curve, scene::CurveQuantity quantity, const document::ShownUnit& unit_of_pressure,
+                 double factor) {
     PlotLine line{.label = is_answer(*curve.own) ? "answer (" + laws_of(*curve.own) + ")" : title(*curve.own)};
-    const bool of_grid = quantity == CurveQuantity::stiffness && is_truth(*curve.own) && curve.own->band.empty();
+    const bool of_grid = quantity == scene::CurveQuantity::stiffness && is_truth(*curve.own) && curve.own->band.empty();
     curve.each_state([&](const Curve& part, std::size_t i) {
-        const auto at = [&](Statistic statistic) { return part.value_at(part.places[i], quantity, statistic); };
-        const auto value = at(Statistic::value), low = at(Statistic::p05), high = at(Statistic::p95);
+        const auto number = [&](scene::Statistic statistic) {
+            return part.value_at(part.places[i], quantity, statistic);
+        };
+        const auto value = number(scene::Statistic::value), low = number(scene::Statistic::p05),
+                   high = number(scene::Statistic::p95);
         if (!value) return;
         line.x.push_back(part.states[i].pressure.value * unit_of_pressure.factor);
         line.y.push_back(*value * factor);
@@ -70,7 +77,7 @@ PlotLine line_of(const DrawnCurve& curve, CurveQuantity quantity, const ShownUni
         };
         if (low && high)
             put(std::min(*low, *high), std::max(*low, *high));
-        else if (const auto error = at(Statistic::error); error && of_grid)
+        else if (const auto error = number(scene::Statistic::error); error && of_grid)
             put(*error < 0.9 * *value ? *value - *error : 0, *value + *error);
     });
     if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
@@ -80,8 +87,9 @@ PlotLine line_of(const DrawnCurve& curve, CurveQuantity quantity, const ShownUni
 }
 
 /// \p quantity of \p curves against the pressure, with marks at the few points of a scene.
-Panel panel_of(const std::vector<DrawnCurve>& curves, CurveQuantity quantity, std::string title, const Units& units) {
-    const Heading heading = heading_of(Column{quantity}, units);
+Panel panel_of(const std::vector<DrawnCurve>& curves, scene::CurveQuantity quantity, std::string title,
+               const actions::Units& units) {
+    const document::Heading heading = heading_of(scene::Column{quantity}, units);
     Panel panel{.title = std::move(title),
                 .x = {units.pressure.heading("nominal pressure p")},
                 .y = {heading.shown},
@@ -115,25 +123,27 @@ void frame_reflection(Panel& panel) {
 
 /// K, with the law of light loads for comparison, the changes of the law of the answer, and the K that a wave of the
 /// scene's frequency can distinguish from a weld and from a gap.
-Panel stiffness_panel(const Problem& problem, const std::vector<DrawnCurve>& curves, const Units& units) {
-    Panel panel = panel_of(curves, CurveQuantity::stiffness, "Normal stiffness per nominal area", units);
+Panel stiffness_panel(const detail::Problem& problem, const std::vector<DrawnCurve>& curves,
+                      const actions::Units& units) {
+    Panel panel = panel_of(curves, scene::CurveQuantity::stiffness, "Normal stiffness per nominal area", units);
     panel.y.label = units.stiffness.heading("K/A₀");
     panel.height = 360;
     if (problem.ultrasound) {
         const Waves& waves = *problem.ultrasound;
         if (const auto range = resolvable_stiffness(waves.longitudinal, waves.angular()))
-            panel.window = {"|R| " + rounded(range->min_reflection, 2) + " to " + rounded(range->max_reflection, 2) +
-                                " at " + rounded(waves.frequency / 1e6, 3) + " MHz",
+            panel.window = {"|R| " + document::rounded(range->min_reflection, 2) + " to " +
+                                document::rounded(range->max_reflection, 2) + " at " +
+                                document::rounded(waves.frequency / 1e6, 3) + " MHz",
                             range->low * units.stiffness.factor, range->high * units.stiffness.factor};
     }
     double least = std::numeric_limits<double>::infinity(), most = 0, last = 0;
-    const Law* before = nullptr;
+    const detail::Law* before = nullptr;
     for (const DrawnCurve& curve : curves)
         curve.each_state([&](const Curve& part, std::size_t i) {
             const double p = part.states[i].pressure.value;
             least = std::min(least, p), most = std::max(most, p);
             if (!is_answer(*curve.own)) return;
-            const Law* const law = &part.law_at(i);
+            const detail::Law* const law = &part.law_at(i);
             if (before && law != before)
                 panel.changes.push_back({std::sqrt(last * p) * units.pressure.factor, before->name, law->name});
             before = law, last = p;
@@ -151,20 +161,21 @@ Panel stiffness_panel(const Problem& problem, const std::vector<DrawnCurve>& cur
 }
 
 std::string figure_csv(const Figure& figure) {
-    std::string text = "# fstiff " FSTIFF_VERSION_TEXT ": the numbers of a picture\n" +
-                       csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
+    std::string text =
+        "# fstiff " FSTIFF_VERSION_TEXT ": the numbers of a picture\n" +
+        document::csv_line({"curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"});
     std::size_t curve = 0, number = 0;
     for (const Panel& panel : figure.panels) {
         ++number;
         for (const PlotLine& line : panel.lines) {
             ++curve;
             const auto end = [](const std::vector<double>& ends, std::size_t i) {
-                return ends.empty() ? "" : exact(ends[i]);
+                return ends.empty() ? "" : document::exact(ends[i]);
             };
             for (std::size_t i = 0; i < line.x.size(); ++i)
-                text +=
-                    csv_line({std::to_string(curve), std::to_string(number), line.label, panel.x.label,
-                              exact(line.x[i]), panel.y.label, exact(line.y[i]), end(line.low, i), end(line.high, i)});
+                text += document::csv_line({std::to_string(curve), std::to_string(number), line.label, panel.x.label,
+                                            document::exact(line.x[i]), panel.y.label, document::exact(line.y[i]),
+                                            end(line.low, i), end(line.high, i)});
         }
     }
     return text;
@@ -172,32 +183,34 @@ std::string figure_csv(const Figure& figure) {
 
 /// trace.svg to trace.plot.csv. \throws Usage unless \p file ends in .svg.
 std::string table_of(const std::string& file) {
-    const std::filesystem::path path = path_of(file);
+    const std::filesystem::path path = document::path_of(file);
     if (path.extension() != ".svg")
         throw Usage("--plot = \"" + file + "\": must end in .svg; the numbers (.plot.csv) are written next to it");
-    return name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
+    return document::name_of_path(std::filesystem::path(path).replace_extension(".plot.csv"));
 }
 
 }  // namespace
 
-Figure results_figure(const Scene& scene, const Results& results, const std::optional<Results>& between) {
+Figure results_figure(const scene::Scene& scene, const actions::Results& results,
+                      const std::optional<actions::Results>& between) {
     if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
     std::vector<DrawnCurve> curves = curves_of(results, between);
     const std::size_t count = curves.size();  // of many curves the first ones are drawn, and the truth of a map
     for (std::size_t k = most_curves; k < count; ++k)
         if (is_truth(*curves[k].own)) std::swap(curves[k], curves[most_curves - 1]);
-    const Units units = summary_units(scene, results);
+    const actions::Units units = summary_units(scene, results);
     Figure figure{.title = "Contact stiffness: " + scene.name,
                   .explanation = results.short_explanation,
                   .panels = {stiffness_panel(scene, curves, units)},
                   .note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
-                          ", σ = " + with_unit(scene.face.parameters.rms_height.value, "m", 4)};
+                          ", σ = " + document::with_unit(scene.face.parameters.rms_height.value, "m", 4)};
     if (count > most_curves)
         figure.note += "; " + std::to_string(most_curves) + " of " + std::to_string(count) +
                        " curves are drawn, fstiff run --format csv has the numbers of all";
-    using enum CurveQuantity;
-    const std::string waves = scene.ultrasound ? ", " + rounded(scene.ultrasound->frequency / 1e6) + " MHz" : "";
+    using enum scene::CurveQuantity;
+    const std::string waves =
+        scene.ultrasound ? ", " + document::rounded(scene.ultrasound->frequency / 1e6) + " MHz" : "";
     for (const auto& [quantity, title] :
          {std::pair(reflection, "Reflection of longitudinal waves" + waves),
           std::pair(shear_reflection, "Reflection of shear waves" + waves),

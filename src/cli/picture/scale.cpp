@@ -41,8 +41,8 @@ std::vector<Tick> Scale::decades() const {
     const bool plain = low_ > -3.5 && high_ < 4.5;  // else all of them are powers
     for (int k = first; k <= last; ++k)
         for (int m = 1; m < 10; ++m) {
-            const double at = k + std::log10(m);
-            if (at < low_ - 1e-9 || at > high_ + 1e-9) continue;
+            const double exponent = k + std::log10(m);
+            if (exponent < low_ - 1e-9 || exponent > high_ + 1e-9) continue;
             const bool numbered = m == 1       ? k % every == 0
                                   : span < 0.8 ? m < 6 || m == 7
                                                : span < 2 && (m == 2 || m == 5);

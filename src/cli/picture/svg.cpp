@@ -52,7 +52,7 @@ std::string style() {
 /// \p text between the tags of SVG.
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : scene::printable(text)) switch (c) {
+    for (const char c : document::printable(text)) switch (c) {
             case '<': result += "&lt;"; break;
             case '>': result += "&gt;"; break;
             case '&': result += "&amp;"; break;
@@ -68,7 +68,7 @@ std::string px(double value) {
     if (text.ends_with(".0")) text.resize(text.size() - 2);
     return text == "-0" ? "0" : text;
 }
-std::string at(double x, double y) { return px(x) + " " + px(y); }
+std::string point_text(double x, double y) { return px(x) + " " + px(y); }
 
 /// The beginning of an element of the class \p kind, without its end.
 std::string element(const std::string& name, const std::string& kind,
@@ -101,7 +101,8 @@ double height_of(const std::vector<std::string>& lines) { return line_height * s
 
 /// Numbers in the units of the axes, for programs that read the picture.
 std::string data_range(const char* name, double low, double high, int digits) {
-    return std::string(" data-") + name + "=\"" + rounded(low, digits) + " " + rounded(high, digits) + "\"";
+    return std::string(" data-") + name + "=\"" + document::rounded(low, digits) + " " +
+           document::rounded(high, digits) + "\"";
 }
 
 std::string colour_of(const PlotLine& line) { return palette[static_cast<std::size_t>(line.colour)].name; }
@@ -111,7 +112,8 @@ std::string stroke_of(const PlotLine& line) {
 
 /// An error bar, with a short line across both ends.
 std::string bar(double x, double high, double low) {
-    return "M" + at(x - 4, high) + "h8M" + at(x, high) + "V" + px(low) + "M" + at(x - 4, low) + "h8";
+    return "M" + point_text(x - 4, high) + "h8M" + point_text(x, high) + "V" + px(low) + "M" + point_text(x - 4, low) +
+           "h8";
 }
 
 std::vector<double> values_of(const Panel& panel, bool of_y) {
@@ -168,8 +170,8 @@ std::string band(const Drawing& d, const PlotLine& line) {
                      low = d.y_scale.shows(line.low[i]) ? d.y(line.low[i]) : d.panel.height + 10;
         if (line.bars && d.shows(line, i)) path += bar(x, high, low);
         if (line.bars) continue;
-        path += (i ? "L" : "M") + at(x, high);
-        back = "L" + at(x, low) + back;
+        path += (i ? "L" : "M") + point_text(x, high);
+        back = "L" + point_text(x, low) + back;
     }
     return line.bars ? path_of("bar " + colour_of(line), path)
                      : path_of("band f" + colour_of(line), path + back + (path.empty() ? "" : "Z"));
@@ -182,7 +184,7 @@ std::string line_and_marks(const Drawing& d, const PlotLine& line) {
         if (!d.shows(line, i)) continue;
         // far outside the frame is as good as anywhere there; numbers stay short
         const double x = std::clamp(d.x(line.x[i]), -1e4, 1e4), y = std::clamp(d.y(line.y[i]), -1e4, 1e4);
-        path += (i > 0 && d.shows(line, i - 1) ? "L" : "M") + at(x, y);
+        path += (i > 0 && d.shows(line, i - 1) ? "L" : "M") + point_text(x, y);
         if (line.marks || line.x.size() == 1) marks += element("circle", "", {{"cx", x}, {"cy", y}, {"r", 3.2}}) + "/>";
     }
     return (line.marks ? "" : path_of(stroke_of(line), path)) +
@@ -198,7 +200,8 @@ std::string axes(const Drawing& d, double top) {
     for (const Tick& tick : d.y_scale.ticks())
         if (!tick.label.empty()) out += text_at(left - 7, top + d.y(tick.value) + 4.5, tick.label, at_end);
     return out + text_at(left + panel_width / 2, top + height + 40, d.panel.x.label, at_middle) +
-           text_at(18, middle, d.panel.y.label, at_middle + " transform=\"rotate(-90 " + at(18, middle) + ")\"");
+           text_at(18, middle, d.panel.y.label,
+                   at_middle + " transform=\"rotate(-90 " + point_text(18, middle) + ")\"");
 }
 
 /// A part of the picture, and the coordinates of its right and lower ends.
@@ -211,19 +214,20 @@ struct Part {
 Part legend(const Panel& panel, double x, double y) {
     Part part{"", x, y};
     const auto add = [&](const std::string& sample, const std::string& name) {
-        const std::vector<std::string> text = wrapped(name, 44);
+        const std::vector<std::string> text = document::wrapped(name, 44);
         part.svg += sample + paragraph_at(x + 38, part.low + 4.5, text);
         part.low += row_height - line_height + height_of(text);
         for (const std::string& line : text)
-            part.right = std::max(part.right, x + 46 + 7.3 * static_cast<double>(shown_width(line)));
+            part.right = std::max(part.right, x + 46 + 7.3 * static_cast<double>(document::shown_width(line)));
     };
     for (const PlotLine& line : panel.lines) {
         if (line.label.empty()) continue;
-        const double at = part.low;
-        const std::string band = line.bars           ? path_of("bar " + colour_of(line), bar(x + 15, at - 7, at + 7))
+        const double point_text = part.low;
+        const std::string band = line.bars
+                                     ? path_of("bar " + colour_of(line), bar(x + 15, point_text - 7, point_text + 7))
                                  : line.band.empty() ? ""
-                                                     : rectangle("band f" + colour_of(line), x, at - 7, 30, 14);
-        add(band + line_at(stroke_of(line), x, at, x + 30, at),
+                                                     : rectangle("band f" + colour_of(line), x, point_text - 7, 30, 14);
+        add(band + line_at(stroke_of(line), x, point_text, x + 30, point_text),
             line.label + (line.band.empty() ? "" : ", " + line.band));
     }
     if (panel.window) add(rectangle("window", x, part.low - 7, 30, 14), panel.window->label);
@@ -256,7 +260,7 @@ std::string svg(const Figure& figure) {
         panels = {panels.svg + part.svg, std::max(panels.right, part.right), part.low};
     }
     const auto lines_of = [&](const std::string& text, double character) {
-        return wrapped(text, static_cast<std::size_t>((panels.right - left - 16) / character));
+        return document::wrapped(text, static_cast<std::size_t>((panels.right - left - 16) / character));
     };
     const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
     std::vector<std::string> explanation;
@@ -265,7 +269,7 @@ std::string svg(const Figure& figure) {
     const double below_title = 24 + height_of(title),
                  first = below_title + (explanation.empty() ? 0 : 8 + height_of(explanation)),
                  height = first + panels.low + 6 + height_of(note);
-    const std::string name = escaped(figure.title), size = at(panels.right, height);
+    const std::string name = escaped(figure.title), size = point_text(panels.right, height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fstiff\" viewBox=\"0 0 " + size + "\" width=\"" +
            px(panels.right) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name + "\">\n<title>" +
            name + "</title>\n" + style() + rectangle("back", 0, 0, panels.right, height) +

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A law as text of one program: cards of CalculiX and Abaqus, columns of MOOSE and COMSOL.
+
+#include "actions/model_units.hpp"
+#include "actions/overclosure.hpp"
+
+#include <optional>
+#include <string>
+
+namespace fstiff::actions {
+
+/// A law, and in which units and how closely it is written.
+struct LawInModel {
+    const PressureTable& table;
+    ModelUnits units{};
+    ChordErrors tolerance{};
+    std::optional<double> friction{};  ///< the coefficient
+    double at = 0;                     ///< the pressure of the one stiffness that a card of friction holds [Pa]
+
+    [[nodiscard]] std::string pressure(double pascals) const;
+    [[nodiscard]] std::string length(double metres) const;
+};
+
+/// The comment on the rows of the pressure, for the cards below.
+[[nodiscard]] std::string comment_of_pressure(const LawInModel& law);
+/// The surface interaction FSTIFF: pressure, heat and friction.
+[[nodiscard]] std::string calculix_cards(const LawInModel& law);
+/// The surface interaction FSTIFF: pressure, heat, current and friction.
+[[nodiscard]] std::string abaqus_cards(const LawInModel& law);
+/// A line of names and rows of numbers with commas; the tolerance holds for all of them.
+[[nodiscard]] std::string moose_columns(const LawInModel& law);
+/// The same with spaces, and the names in a comment.
+[[nodiscard]] std::string comsol_columns(const LawInModel& law);
+
+}  // namespace fstiff::actions

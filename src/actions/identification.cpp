@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "actions/identify.hpp"
+
+#include "actions/results.hpp"
+#include "document/shown_unit.hpp"
+
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/problem.hpp>
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/plastic_contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace fstiff::actions {
+
+using detail::Problem;
+
+namespace {
+
+/// "a, b and c", with \p last before the last one.
+std::string joined(const std::vector<std::string_view>& words, std::string_view last) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        text.append(i == 0 ? "" : i + 1 == words.size() ? last : ", ").append(words[i]);
+    return text;
+}
+
+/// "sigma and Dp", in the order of --fit.
+std::string names_of(const std::vector<Parameter>& parameters) {
+    std::vector<std::string_view> names;
+    for (const Parameter one : parameters) names.push_back(detail::row_of(one).short_name);
+    return joined(names, " and ");
+}
+
+std::vector<Observation<double>> observations(const MeasuredCurve& curve, const std::vector<MeasuredPoint>& points) {
+    std::vector<Observation<double>> data;
+    for (const MeasuredPoint& point : points) {
+        const auto refuse = [&](const char* what, double value, const char* allowed) {
+            throw domain_error(curve.name + ":" + std::to_string(point.line) + ": " + what + " = " +
+                               document::shortest(value) + ": must be " + allowed);
+        };
+        if (curve.has_errors && !(point.error > 0)) refuse("error", point.error, "greater than 0 to weigh the point");
+        if (curve.is_reflection && !(point.value < 2)) refuse("reflection", point.value, "at most 1, apart from noise");
+        data.push_back({point.pressure, point.value, point.error});
+    }
+    return data;
+}
+
+bool has(const std::vector<Parameter>& wanted, Parameter one) {
+    return std::count(wanted.begin(), wanted.end(), one) > 0;
+}
+
+/// Whether the surface is (sigma, g, alpha) to a fit of \p wanted: R and D_p follow then.
+bool of_spectrum(const std::vector<Parameter>& wanted) {
+    return has(wanted, Parameter::rms_gradient) || has(wanted, Parameter::alpha);
+}
+
+ContactParameters<double> start_of(const Problem& problem, const detail::Peaks* peaks) {
+    ContactParameters<double> start;
+    const SpectralMoments<double> moments = spectral_moments(problem.face);
+    const Roughness<double> of = problem.face.roughness();
+    start.rms_height = of.rms_height, start.peak_radius = of.peak_radius, start.peak_density = of.peak_density;
+    start.fractal_dimension = problem.face.dimension().value_or(1.5);
+    start.effective_modulus = problem.effective_modulus;
+    start.rms_gradient = std::sqrt(2 * moments.m2), start.alpha = moments.bandwidth();
+    const double hardness = hardness_of(problem);
+    start.hardness = std::isfinite(hardness) ? hardness : 0;
+    if (!peaks) return start;
+    const PeakDistribution<double> density = peak_density(*peaks);
+    start.r = density.r(), start.theta = density.theta();
+    return start;
+}
+
+/// \p problem with \p fit's peaks alone, and without what only a band takes.
+Problem lean_problem(const Problem& problem, const Fit& fit) {
+    Problem lean = problem;
+    lean.faces.clear();
+    lean.face.measured.reset();
+    lean.face.neighbours.clear();
+    if (fit.theta) lean.peaks = {{.theta = *fit.theta, .r = fit.r}};
+    return lean;
+}
+
+/// \p map with heights that are \p factor times as high.
+std::shared_ptr<const detail::MapOfSurface> made_taller(detail::MapOfSurface map, double factor) {
+    map.taller *= factor;
+    for (Summits<double>& of : map.summits) {
+        of.rms_height *= factor;
+        for (Summit<double>& summit : of.summits) {
+            summit.height *= factor, summit.max_curvature *= factor, summit.min_curvature *= factor;
+            summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
+        }
+    }
+    return std::make_shared<const detail::MapOfSurface>(std::move(map));
+}
+
+/// \p face with those of \p x that are \p wanted.
+detail::Face with_parameters(detail::Face face, const ContactParameters<double>& x,
+                             const std::vector<Parameter>& wanted) {
+    const double taller = x.rms_height / face.parameters.rms_height.value;
+    for (const Parameter each : wanted)
+        if (auto* known = face.parameters.find(each)) known->value = x[each];
+    if (face.map && has(wanted, Parameter::rms_height)) {  // all its heights
+        face.map = made_taller(*face.map, taller);
+        if (face.rms_gradient && face.spectrum_of_map) *face.rms_gradient *= taller;
+    }
+    if (of_spectrum(wanted)) {
+        face.rms_gradient = x.rms_gradient, face.alpha = x.alpha;
+        const auto moments = detail::moments_of_gradient(x.rms_height, x.rms_gradient, x.alpha);
+        face.parameters.peak_radius.value = detail::peak_radius_of(moments);
+        face.parameters.peak_density.value = detail::peak_density_of(moments);
+    }
+    return face;
+}
+
+/// The contact that \p lean makes by \p law with those of \p x that are \p wanted, under \p pressures.
+std::vector<ContactPoint<double>> points_with(Problem lean, const detail::Law& law, const ContactParameters<double>& x,
+                                              const std::vector<Parameter>& wanted, std::span<const double> pressures) {
+    lean.face = with_parameters(std::move(lean.face), x, wanted);
+    if (has(wanted, Parameter::hardness)) lean = with_hardness(std::move(lean), x.hardness);
+    const bool own_peaks = has(wanted, Parameter::r) || has(wanted, Parameter::theta);
+    if (own_peaks) lean.peaks = {{.theta = x.theta, .r = x.r}};
+    lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
+    lean.effective_modulus = x.effective_modulus;
+    std::vector<ContactPoint<double>> points;
+    for_each_contact(lean, {&law}, {}, [&](const detail::ContactOfLaw& of) {
+        if (points.empty()) points = of.make()->at_pressures(pressures, Quantity::stiffness);
+    });
+    return points;
+}
+
+Identification<double> found_by(const Problem& problem, const Fit& fit, const detail::FitInputs& inputs) {
+    const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness);
+    if (fit.law->fit && exact) return fit.law->fit(inputs);
+    return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
+                                                                    std::span<const double> pressures) {
+        std::vector<double> stiffness;
+        for (const auto& point : points_with(lean, *fit.law, x, inputs.parameters, pressures))
+            stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
+        return stiffness;
+    });
+}
+
+/// \p observation with K times \p factor, and the reflection of that.
+Observation<double> scaled(Observation<double> observation, double factor,
+                           const std::optional<Wave<double>>& wave) try {
+    if (!wave) return {observation.pressure, factor * observation.value, factor * observation.error};
+    const double K = stiffness_from_reflection(observation.value, wave->media, wave->angular_frequency);
+    return {observation.pressure, reflection(factor * K, wave->media, wave->angular_frequency), observation.error};
+} catch (const domain_error&) {  // noise: no K reflects so
+    return observation;
+}
+
+/// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
+/// of its error, which is on one side of K at all pressures.
+void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) try {
+    constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
+    inputs.start = fit.found.optimum, inputs.options.search.max_iterations = 30;
+    Problem fitted = lean_problem(problem, fit);
+    fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.parameters);
+    const std::optional<double> g = gradient(fitted);
+    const auto shifted = [&](double LawError<double>::*end) {
+        std::vector<Observation<double>> data = inputs.data;
+        for (Observation<double>& observation : data) {
+            detail::AnswerReason reason;
+            if (g)
+                reason.p_star =
+                    detail::dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
+            observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
+                                 inputs.options.wave);
+        }
+        return found_by(problem, fit, {data, inputs.parameters, inputs.start, inputs.options});
+    };
+    const auto low = shifted(&LawError<double>::low), high = shifted(&LawError<double>::high);
+    if (low.status != math::FitStatus::converged || high.status != math::FitStatus::converged) return;
+    for (std::size_t i = 0; i < inputs.parameters.size(); ++i) {
+        auto& own = fit.found.parameters[i];
+        const detail::ParameterScale<double> scale(own.parameter);
+        double u = scale.variable(own.value), below = u - scale.variable(own.low), above = scale.variable(own.high) - u;
+        for (const auto* one : {&low, &high}) {
+            const double moved = scale.variable(one->parameters[i].value) - u;
+            (moved < 0 ? below : above) = std::hypot(moved < 0 ? below : above, moved);
+        }
+        if (std::max(below, above) < 7)  // three decades, or all between two bounds
+            own.low_with_law = scale.value(u - below), own.high_with_law = scale.value(u + above);
+    }
+} catch (const domain_error&) {  // no surface has K so far from the data
+}
+
+std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
+    const std::string names = names_of(finding.parameters);
+    switch (finding.concern) {
+        case FitConcern::singular:
+            return (finding.parameters.size() < 2 ? "the data do not depend on " + names + " here"
+                                                  : "the data cannot distinguish " + names +
+                                                        ": a change of one is compensated by the others, so only a "
+                                                        "combination of them can be found") +
+                   "; fit fewer parameters. K(p) contains " +
+                   (fit.law->needs_spectrum
+                        ? "g and E only as the product E g; R and Dp count only where g or alpha follows from them"
+                        : "R, Dp and E only as the product E Dp sqrt(R); of sigma, this product and D at most two can "
+                          "be found; only the fractal laws depend on D");
+        case FitConcern::not_converged:
+            return "the search did not converge: start closer to the data, or fit fewer parameters";
+        case FitConcern::misfit:
+            return "chi^2/dof = " + document::rounded(finding.value, 3) +
+                   ": the model does not describe the data within their errors, and the standard errors are too small";
+        case FitConcern::scattered:
+            return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
+                   " % about the model: the model does not describe them, or some of them are wrong";
+        case FitConcern::outlier:
+            return "the point at p = " +
+                   document::unit_of_pressure(fit.points[finding.point].pressure)(fit.points[finding.point].pressure) +
+                   " is " + document::rounded(finding.value, 2) +
+                   " times as far from the model as the median of the points: it distorts the fit";
+        case FitConcern::far_from_start:
+            return names + " is " + document::rounded(finding.value, 2) +
+                   " times its starting value: check the units of the measured columns; if they are right, start from "
+                   "the value found";
+        case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
+        case FitConcern::at_bound:
+            return names +
+                   " is at the end of its range: no value within it fits the data, and its errors are not available";
+        case FitConcern::unresolved:
+            return "the data hardly constrain " + names +
+                   ": the ends of its interval differ by a factor of 100 or more";
+        case FitConcern::correlated:
+            return names + " can hardly be separated (correlation " + document::rounded(finding.value, 4) + ")";
+    }
+    return {};
+}
+
+std::optional<Wave<double>> wave_of(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+    const std::string name = surface::option_name(request.prefix, "wave");
+    if (!curve.is_reflection) {
+        if (request.shear)
+            throw document::option_error(name + " shear is for measured reflections; " + curve.name +
+                                         " holds stiffnesses");
+        return std::nullopt;
+    }
+    if (!scene.ultrasound)
+        throw domain_error(scene.file + ": ultrasound: is missing; the reflections of " + curve.name +
+                           " need the section");
+    if (request.shear && !scene.ultrasound->shear)
+        throw domain_error(scene.file + ": ultrasound.upper.shear_impedance: is missing; " + name +
+                           " shear needs it, or "
+                           "density and shear_velocity");
+    return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal,
+                        scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
+}
+
+/// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.
+std::vector<const detail::Law*> laws_of(const scene::Scene& scene, const FitRequest& request) {
+    if (request.law.empty()) return scene.laws;
+    const detail::Law* law = detail::find_law(request.law);
+    const std::string why = law->needs_dimension && !scene.face.dimension()
+                                ? "needs surface.fractal_dimension, which is missing"
+                                : refusal_of(*law, scene);
+    if (!why.empty())
+        throw domain_error(scene.file + ": law \"" + request.law + "\", which " +
+                           surface::option_name(request.prefix, "law") + " asks for, " + why);
+    return {law};
+}
+
+/// The fits that are asked for, still without what they find.
+std::vector<Fit> fits_of(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request,
+                         std::vector<std::string>& warnings) {
+    std::vector<Fit> fits;
+    std::string skipped;
+    for (const detail::Law* law : laws_of(scene, request)) {
+        if (!law->varies) {
+            skipped = law->name;
+            continue;
+        }
+        const auto add = [&](const detail::Peaks* peaks) {
+            Fit fit{law, {}, {}, start_of(scene, peaks), {}, {}};
+            if (law->has_peaks) fit.theta = fit.start.theta, fit.r = fit.start.r;
+            fit.points = curve.points_of({std::string(law->name), fit.theta, fit.r});
+            fits.push_back(std::move(fit));
+        };
+        for (const detail::Peaks& peaks : peaks_of(*law, scene)) add(&peaks);
+        if (!law->has_peaks) add(scene.peaks.empty() ? nullptr : &scene.peaks.front());
+    }
+    if (fits.empty())
+        throw domain_error(scene.file + ": contact.laws: must name " + joined(detail::fitted_law_names(), " or ") +
+                           "; " + skipped + " is too slow to fit");
+    if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
+        throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
+                           " computed curves, none of a law and peaks of " + scene.file +
+                           "; must hold one curve, or one of theirs");
+    if (!skipped.empty()) warnings.push_back(skipped + " is not fitted: it is too slow");
+    return fits;
+}
+
+/// Refuses parameters that \p scene has no value of, or that follow from others. \throws option_error, domain_error
+void require_known(const scene::Scene& scene, const FitRequest& request) {
+    const std::string option = surface::option_name(request.prefix, "fit");
+    if (has(request.wanted, Parameter::fractal_dimension) && !scene.face.dimension())
+        throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option + " D starts from it");
+    if (has(request.wanted, Parameter::hardness) && !std::isfinite(hardness_of(scene)))
+        throw domain_error(scene.file + ": material.upper.hardness: is infinite; " + option +
+                           " hardness starts from it, or from its range");
+    for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
+        if (of_spectrum(request.wanted) && has(request.wanted, each))
+            throw document::option_error(
+                option + " " + std::string(detail::row_of(each).short_name) +
+                ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the "
+                "other");
+    for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
+        if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
+            throw domain_error(scene.file + ": " + option + " " + std::string(detail::row_of(each).short_name) +
+                               ": the surface is a map, whose heights scale with sigma alone; [contact.persson] "
+                               "spectrum = \"moments\" replaces it with numbers");
+}
+
+/// Whether K of the elastic law of \p fit would be 5 % higher where its peaks yield, under its greatest pressure.
+bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, double rms_gradient) {
+    double most = 0;
+    for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
+    if (!(most < hardness)) return true;
+    const detail::GaussianCut<double> cut(fit.found.optimum.rms_height, rms_gradient,
+                                          fit.found.optimum.effective_modulus);
+    const double share = most / hardness, K = fitted_points(problem, fit, {&most, 1}).front().state.stiffness.value;
+    return detail::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
+}
+
+/// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
+std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
+    const double hardness = hardness_of(problem);
+    const bool known = !problem.hardness_range && std::isfinite(hardness);
+    if (flows(problem, *fit.law) || !known || fit.found.status == math::FitStatus::singular) return "";
+    const ContactParameters<double>& x = fit.found.optimum;
+    Problem fitted = lean_problem(problem, fit);
+    fitted.face = with_parameters(std::move(fitted.face), x, wanted);
+    const double psi = fitted.face.has_radius_and_density()
+                           ? detail::plasticity_index(fitted.face.roughness(), x.effective_modulus,
+                                                      hardness / detail::hardness_over_yield_strength<double>)
+                           : 0;
+    const std::optional<double> g = gradient(fitted);
+    if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > detail::max_elastic_plasticity_index<double>))
+        return "";
+    const bool has_plastic = lack_of(detail::find_law(LawName::plastic), problem) == detail::Lack::nothing;
+    return "the peaks of the fitted surface yield (" +
+           (g ? "H/(E g) = " + document::rounded(hardness / (x.effective_modulus * *g), 2) : "") +
+           (psi > 0 ? (g ? "; " : "") + ("plasticity index " + document::rounded(psi, 3)) : "") +
+           "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
+           (has_plastic ? "plastic" : "jackson_green");
+}
+
+}  // namespace
+
+std::string title(const Fit& fit) {
+    const std::string law(fit.law->name);
+    return fit.theta ? law + ", theta = " + document::rounded(*fit.theta) + ", r = " + document::rounded(*fit.r) : law;
+}
+
+std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
+                                                std::span<const double> pressures) {
+    std::vector<Parameter> wanted;
+    for (const auto& one : fit.found.parameters) wanted.push_back(one.parameter);
+    return points_with(lean_problem(problem, fit), *fit.law, fit.found.optimum, wanted, pressures);
+}
+
+Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+    if (scene.reading != InteractionReading::none)
+        throw domain_error(scene.file +
+                           ": contact.interaction: must be \"none\" to identify parameters: the fitted K is that of "
+                           "the interface alone");
+    Fits fits;
+    fits.wave = wave_of(scene, curve, request);
+    fits.warnings = scene.warnings;
+    require_known(scene, request);
+    fits.fits = fits_of(scene, curve, request, fits.warnings);
+    IdentifyOptions<double> options;
+    options.wave = fits.wave;
+    for (Fit& fit : fits.fits) {
+        const auto data = observations(curve, fit.points);
+        const detail::FitInputs inputs{data, request.wanted, fit.start, options};
+        detail::located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
+            fit.found = found_by(scene, fit, inputs);
+            widen_by_law(scene, fit, inputs);
+        });
+    }
+    for (const Parameter unknown : unknown_parameters(scene, scene.best))  // held at an assumed value
+        if (!has(request.wanted, unknown)) fits.doubtful = true;
+    if (scene.implausible) fits.doubtful = true;
+    std::size_t sound = 0;
+    for (const Fit& fit : fits.fits) {
+        bool doubted = false;
+        for (const auto& finding : concerns_of(fit.found)) {
+            fits.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
+            if (detail::is_fatal(finding.concern)) fits.doubtful = true;
+            doubted = doubted || detail::is_doubtful(finding.concern);
+        }
+        if (const std::string flow = flow_of(scene, fit, request.wanted); !flow.empty()) {
+            fits.warnings.push_back(title(fit) + ": " + flow);
+            doubted = true;
+        }
+        sound += !doubted;
+    }
+    if (sound == 0) fits.doubtful = true;  // where one law describes the data, that another does not is an answer
+    return fits;
+}
+
+}  // namespace fstiff::actions

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "actions/identify.hpp"
+
+#include "actions/run.hpp"
+#include "document/file.hpp"
+#include "document/shown_unit.hpp"
+#include "io/number.hpp"
+
+#include <fstiff/wave/spring_interface.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace fstiff::actions {
+
+using document::Cell, document::Json, document::Rows;
+
+namespace {
+
+Json matrix_json(const Eigen::MatrixXd& matrix) {
+    Json rows = Json::array();
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+        Json row = Json::array();
+        for (const double value : matrix.row(i)) row.push_back(Cell::finite(value).json());
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Json parameter_json(const Fit& fit, const IdentifiedParameter<double>& p) {
+    const detail::ParameterRow& row = detail::row_of(p.parameter);
+    Json entry{{"name", row.short_name}, {"unit", row.unit}, {"start", fit.start[p.parameter]}};
+    if (fit.found.status == math::FitStatus::singular)
+        entry["null_share"] = p.null_share;
+    else
+        entry["value"] = p.value;
+    if (p.at_bound) entry["at_bound"] = true;
+    if (fit.found.covariance.size() > 0) {
+        const auto interval = [](double low, double high) -> Json {
+            return {{"level", 0.95}, {"low", Cell::finite(low).json()}, {"high", Cell::finite(high).json()}};
+        };
+        entry["standard_error"] = Cell::finite(p.standard_error).json();
+        entry["interval"] = interval(p.low, p.high);
+        entry["interval_with_law"] = interval(p.low_with_law, p.high_with_law);
+    }
+    return entry;
+}
+
+/// Measured and fitted values at the points of \p fit.
+Rows point_rows(const MeasuredCurve& curve, const Fit& fit) {
+    std::vector<double> values;
+    for (const MeasuredPoint& point : curve.points) values.push_back(point.value);
+    const document::ShownUnit unit = document::shown_unit(values, "Pa/m");
+    const document::Heading value =
+        curve.is_reflection ? document::Heading{"reflection", "|R| measured"}
+                            : document::Heading{"stiffness_Pa_per_m", unit.heading("K/A0 measured"), unit.factor};
+    Rows rows;
+    rows.add({"pressure_Pa", "p [MPa]", 1e-6}, fit.points, &MeasuredPoint::pressure);
+    rows.add(value, fit.points, &MeasuredPoint::value);
+    if (curve.has_errors) rows.add({"error"}, fit.points, &MeasuredPoint::error);
+    rows.add({"model", "model", value.factor}, fit.found.model);
+    rows.add({"residual", fit.found.errors_known ? "residual [errors]" : "residual [scatter]", 1, 3},
+             fit.found.residuals);
+    return rows;
+}
+
+/// The fitted model from the least pressure to the greatest, at enough pressures for a smooth picture.
+Json curve_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
+    constexpr int steps = 40;
+    const auto [least, most] = std::minmax_element(
+        fit.points.begin(), fit.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
+    std::vector<double> pressures, loads;
+    for (int k = 0; k <= steps; ++k) {
+        const double p = least->pressure * std::pow(most->pressure / least->pressure, double(k) / steps);
+        pressures.push_back(p);
+        loads.push_back(std::max(p + fit.found.optimum.offset, 1e-6 * p));
+    }
+    const auto& wave = identified.found.wave;
+    std::vector<ContactPoint<double>> points = fitted_points(problem, fit, loads);
+    Rows rows;
+    rows.add({"pressure_Pa"}, pressures);
+    rows.add({wave ? "reflection" : "stiffness_Pa_per_m"}, points, [&](const ContactPoint<double>& point) {
+        const double K = point.state.stiffness.value;
+        return !point.ok() ? Cell()
+               : wave      ? Cell(reflection(wave->stiffness_ratio * K, wave->media, wave->angular_frequency))
+                           : Cell(K);
+    });
+    return rows.arrays();
+}
+
+Json fit_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
+    const auto& identification = fit.found;
+    Json entry{{"law", fit.law->name}};
+    if (fit.theta) entry["theta"] = *fit.theta, entry["r"] = *fit.r;
+    entry["status"] = name_of(identification.status);
+    entry["chi_squared"] = identification.chi_squared;
+    entry["degrees_of_freedom"] = identification.degrees_of_freedom;
+    entry["errors_known"] = identification.errors_known;
+    entry["evaluations"] = identification.evaluations;
+    Json& concerns = entry["concerns"] = Json::array();
+    for (const auto& finding : concerns_of(identification)) concerns.push_back(name_of(finding.concern));
+    Json& parameters = entry["parameters"] = Json::array();
+    for (const auto& p : identification.parameters) parameters.push_back(parameter_json(fit, p));
+    if (identification.covariance.size() > 0) {
+        entry["covariance"] = matrix_json(identification.covariance);
+        entry["correlation"] = matrix_json(identification.correlation);
+    }
+    if (identification.status == math::FitStatus::singular) return entry;
+    point_rows(identified.curve, fit).append_to(entry["rows"] = Json::array());
+    entry["curve"] = curve_json(problem, identified, fit);
+    return entry;
+}
+
+/// What is fitted to what.
+void introduce(document::Document& document, const scene::Scene& scene, const Identified& identified) {
+    const MeasuredCurve& curve = identified.curve;
+    const auto [least, most] = std::minmax_element(
+        curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
+    document.title("parameters of " + document::printable(scene.name + " (" + scene.file + ")") + " from " +
+                   (curve.is_reflection ? "R(p)" : "K(p)") + " of " + document::printable(curve.name));
+    document.line(
+        "measured",
+        std::to_string(curve.points.size()) + " points, p " + document::rounded(least->pressure / 1e6) + " to " +
+            document::rounded(most->pressure / 1e6) + " MPa, " +
+            (curve.has_errors ? "weighed by their errors" : "no errors: equal weights, errors from the scatter"));
+    document.json["scene"] = scene_json(scene);
+    document.json["measured"] = {{"file", curve.name},
+                                 {"sha256", curve.sha256},
+                                 {"quantity", curve.is_reflection ? "reflection" : "stiffness"},
+                                 {"has_errors", curve.has_errors},
+                                 {"decisions", curve.decisions}};
+    const auto& wave = identified.found.wave;
+    if (!wave) return;
+    document.json["wave"] = {{"angular_frequency_rad_per_s", wave->angular_frequency},
+                             {"impedance_Rayl", wave->media.incident},
+                             {"impedance2_Rayl", wave->media.beyond},
+                             {"stiffness_ratio", wave->stiffness_ratio}};
+    document.line("wave", document::rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) +
+                              " MHz, impedances " + document::rounded(wave->media.incident / 1e6) + " and " +
+                              document::rounded(wave->media.beyond / 1e6) + " MRayl, sees " +
+                              (wave->stiffness_ratio == 1 ? "K" : document::rounded(wave->stiffness_ratio) + " K"));
+}
+
+/// A row for each parameter of \p fit: in SI for the CSV, in the units of headings for people.
+Rows parameter_rows(const Identified& identified, const Fit& fit) {
+    using P = IdentifiedParameter<double>;
+    const auto& identification = fit.found;
+    const std::vector<P>& estimates = identification.parameters;
+    const bool has_errors = identification.covariance.size() > 0,
+               singular = identification.status == math::FitStatus::singular;
+    const auto row = [](const P& p) -> const detail::ParameterRow& { return detail::row_of(p.parameter); };
+    Rows rows;
+    rows.repeat({"law"}, fit.law->name, estimates.size());
+    rows.repeat({"theta"}, fit.theta, estimates.size());
+    rows.repeat({"r"}, fit.r, estimates.size());
+    rows.repeat({"status"}, name_of(identification.status), estimates.size());
+    rows.repeat({"chi_squared"}, identification.chi_squared, estimates.size());
+    rows.repeat({"degrees_of_freedom"}, identification.degrees_of_freedom, estimates.size());
+    rows.add({"parameter"}, estimates, [&](const P& p) { return row(p).short_name; });
+    rows.add({"unit"}, estimates, [&](const P& p) { return row(p).unit; });
+    rows.add({"", "parameter"}, estimates, [&](const P& p) { return row(p).heading(); });
+    const auto add = [&](const char* key, const char* shown, int digits, bool known, const auto& value) {
+        rows.add({key}, estimates, [&](const P& p) { return known ? Cell::finite(value(p)) : Cell(); });
+        rows.add({"", shown, 1, digits}, estimates,
+                 [&](const P& p) { return known ? Cell::finite(value(p) * row(p).shown_factor) : Cell(); });
+    };
+    add("start", "start", 5, true, [&](const P& p) { return fit.start[p.parameter]; });
+    add("value", "estimate", 5, !singular, [](const P& p) { return p.value; });
+    add("standard_error", "standard error", 2, has_errors, [](const P& p) { return p.standard_error; });
+    add("low", "95 % from", 5, has_errors, [](const P& p) { return p.low; });
+    add("high", "to", 5, has_errors, [](const P& p) { return p.high; });
+    add("low_with_law", "with the law's error", 2, has_errors, [](const P& p) { return p.low_with_law; });
+    add("high_with_law", "to", 2, has_errors, [](const P& p) { return p.high_with_law; });
+    for (std::size_t k = 0; k < identified.wanted.size(); ++k)
+        rows.add({"correlation_" + std::string(detail::row_of(identified.wanted[k]).short_name)}, estimates,
+                 [&](const P& p) {
+                     return has_errors
+                                ? Cell(identification.correlation(&p - estimates.data(), static_cast<Eigen::Index>(k)))
+                                : Cell();
+                 });
+    return rows;
+}
+
+Rows correlation_rows(const std::vector<Parameter>& wanted, const Eigen::MatrixXd& correlation) {
+    const auto name = [](Parameter parameter) { return std::string(detail::row_of(parameter).short_name); };
+    Rows rows;
+    rows.add({"", "correlation"}, wanted, name);
+    for (Eigen::Index k = 0; k < correlation.cols(); ++k)
+        rows.add({"", name(wanted[static_cast<std::size_t>(k)]), 1, 3}, correlation.col(k));
+    return rows;
+}
+
+void add_fit(document::Document& document, const Identified& identified, const Fit& fit) {
+    const auto& identification = fit.found;
+    document.line("\n" + title(fit) + ": " +
+                  (identification.status == math::FitStatus::not_converged ? "not converged"
+                   : identification.status == math::FitStatus::at_bound    ? "a parameter at the end of its range"
+                                                                        : std::string(name_of(identification.status))));
+    document.table(parameter_rows(identified, fit));
+    if (identification.status == math::FitStatus::singular) return;
+    if (identification.covariance.size() > 0 && identified.wanted.size() > 1)
+        document.line("\n" + correlation_rows(identified.wanted, identification.correlation).text());
+    else
+        document.line();
+    document.line(
+        "  degrees of freedom " + std::to_string(identification.degrees_of_freedom) +
+        (identification.errors_known && identification.degrees_of_freedom > 0
+             ? ", chi²/dof " + document::rounded(identification.chi_squared / identification.degrees_of_freedom, 3)
+             : "") +
+        "\n");
+    document.text([rows = point_rows(identified.curve, fit)] { return rows.text(); });
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
+    std::vector<Parameter> wanted;
+    const std::string option = surface::option_name(request.prefix, "fit");
+    for (const std::string& written : request.fit) {
+        const std::string name(io::detail::trimmed(written));
+        const auto entry =
+            std::find_if(detail::parameter_table.begin(), detail::parameter_table.end(),
+                         [&](const detail::ParameterRow& row) { return name == row.short_name || name == row.key; });
+        if (entry == detail::parameter_table.end())
+            throw document::option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
+                                         document::list_of(parameter_short_names));
+        if (std::count(wanted.begin(), wanted.end(), entry->parameter) > 0)
+            throw document::option_error(option + ": \"" + name + "\" is listed twice");
+        wanted.push_back(entry->parameter);
+    }
+    return wanted;
+}
+
+Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& request,
+                          std::optional<MeasuredCurve> curve) {
+    Identified identified;
+    identified.wanted = parameters_of(request);
+    identified.curve = curve ? *std::move(curve) : read_measured_curve(request.measured);
+    identified.found = identify(scene, identified.curve,
+                                {identified.wanted, request.law, request.wave == WaveKind::shear, request.prefix});
+    return identified;
+}
+
+document::Document document_of(const scene::Scene& scene, const Identified& identified) {
+    document::Document document("identify", 10);
+    introduce(document, scene, identified);
+    for (const Fit& fit : identified.found.fits) add_fit(document, identified, fit);
+    document.values([problem = detail::Problem(scene), identified](Json& to) {
+        Json& fits = to["fits"] = Json::array();
+        for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(problem, identified, fit));
+    });
+    document.line();
+    document.warnings = identified.found.warnings;
+    document.doubtful = identified.found.doubtful;
+    return document;
+}
+
+}  // namespace fstiff::actions

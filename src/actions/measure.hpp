@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A measured surface as a document, as the command prints it and a scene reads it back; and what the documents of all
+// that is measured have in common.
+
+#include "actions/roughness.hpp"
+#include "document/document.hpp"
+#include "document/shown_unit.hpp"
+#include "surface/measured_surface.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace fstiff::actions {
+
+/// Adds the file, its SHA-256, the decisions about it, and the options as they were given; \p form is the one that was
+/// removed.
+void add_source(document::Document& document, const surface::SurfaceOptions& options,
+                const surface::SurfaceInput& input, const std::string& form);
+/// Adds lambda_s_m, lambda_c_m and the filter of lambda_c: null where there is none.
+void put_cut_offs(document::Json& document, const CutOffs<double>& cut_offs);
+/// Adds the grid of \p levelled, how many points were missing in \p input, and the cut-offs.
+void add_grid(document::Document& document, const surface::SurfaceInput& input, const PreparedMap<double>& levelled);
+/// Adds the rms height called \p symbol before and after the removal of \p form, and a line of the cut-offs.
+template <class Levelled>
+void add_heights(document::Document& document, std::string_view symbol, const Levelled& levelled,
+                 const std::string& form) {
+    document.json["rms_height_m"] = levelled.rms;
+    document.json["rms_height_before_detrend_m"] = levelled.rms_as_read;
+    document.line(symbol, document::shown_length(levelled.rms_as_read) + " as read, " +
+                              document::shown_length(levelled.rms) + " after removal of the form (" + form + ")");
+    document.line("cut-offs", surface::sentence_of(levelled.cut_offs));
+}
+
+/// Adds the doubts about the reading, and whether the rms gradient is one that no surface has.
+void add_reading(document::Document& document, const surface::SurfaceInput& input, std::string_view consequence,
+                 double rms_gradient);
+
+/// Measured parameters of a surface, for a JSON document that read_measured_document takes.
+[[nodiscard]] document::Json measured_document(const surface::MeasuredSurface& surface);
+
+/// The roughness parameters of \p surface; of several files the means of theirs with one lambda_c, the longest that the
+/// table chooses. \throws as roughness_table().
+[[nodiscard]] RoughnessTable roughness_of(const surface::MeasuredSurface& surface, const CutOff<double>& lambda_c = {});
+/// The document of \p surface, which was measured by \p options. Roughness parameters that refuse it are no part of
+/// the CSV.
+[[nodiscard]] document::Document document_of(const surface::MeasureOptions& options,
+                                             const std::shared_ptr<const surface::MeasuredSurface>& surface);
+
+}  // namespace fstiff::actions

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A measured curve from delimited text: pressure with stiffness or reflection, and its standard error where there is
+// one. The CSV of `fstiff run` is read too; it may hold several curves, and its errors are bounds of the computation.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fstiff::actions {
+
+struct MeasuredPoint {
+    double pressure, value;  ///< [Pa]; [Pa/m] or dimensionless
+    double error = 0;        ///< standard error of value; 0 without a column of errors
+    std::size_t line;        ///< of the file
+    std::size_t curve = 0;   ///< place in MeasuredCurve::computed, where there are any
+};
+
+/// The curve of `fstiff run` that a row belongs to, by the texts of its columns.
+struct ComputedCurve {
+    std::string law;
+    std::optional<double> theta, r;
+    bool operator==(const ComputedCurve&) const = default;
+};
+
+struct MeasuredCurve {
+    std::string name, sha256;
+    bool is_reflection = false;  ///< else stiffness
+    bool has_errors = false;
+    std::vector<std::string> decisions;   ///< which column was read as what
+    std::vector<ComputedCurve> computed;  ///< of a file of `fstiff run`; else empty
+    std::vector<MeasuredPoint> points;
+
+    /// The points that belong to \p wanted: all of them, unless the file holds several computed curves.
+    [[nodiscard]] std::vector<MeasuredPoint> points_of(const ComputedCurve& wanted) const;
+};
+
+/// Reads \p file ("-" is standard input). The first line that is not a comment names the columns with their units:
+/// pressure, then stiffness or reflection, and optionally stiffness_error or reflection_error (or error). Others are
+/// left. A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and curvatures there,
+/// the stiffness is taken before the reflection, and no error is read. Its answer is one curve, and left out where laws
+/// are named.
+/// \throws domain_error naming file, line and what must be there.
+[[nodiscard]] MeasuredCurve read_measured_curve(const std::string& file);
+/// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors
+/// unless there are none. Messages call it \p name, and its first point line 1. \throws domain_error for lists of
+/// unlike lengths, and for numbers that a file may not hold.
+[[nodiscard]] MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,
+                                             std::span<const double> errors, bool is_reflection,
+                                             const std::string& name);
+
+}  // namespace fstiff::actions

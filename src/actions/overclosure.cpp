@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "actions/overclosure.hpp"
+
+#include "actions/one_contact.hpp"
+#include "actions/results.hpp"
+#include "document/file.hpp"
+#include "surface/surface_option_table.hpp"
+
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/tabulated/contact_law.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fstiff::actions {
+
+using scene::CurveQuantity, scene::Scene;
+
+namespace {
+
+bool has_separation(const detail::Law& law) { return detail::has(law.quantities, Quantity::separation); }
+
+const detail::Law& law_of(const Scene& scene, const PressureTableOptions& options) {
+    const std::string& name = options.law;
+    const std::vector<const detail::Law*> laws = name.empty() ? scene.laws : offered_laws(scene);
+    std::vector<std::string_view> names;
+    for (const detail::Law* law : laws) {
+        if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
+        if (has_separation(*law)) names.push_back(law->name);
+    }
+    if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
+    throw domain_error(surface::option_name(options.prefix, "law") + " = \"" + name +
+                       "\": is not a law of the scene that gives a separation; must be one of " +
+                       document::list_of(names));
+}
+
+/// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows,
+/// eight where the slope rules, or one for a law that takes seconds for each.
+Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
+    const std::string least_name = surface::option_name(options.prefix, "from");
+    const std::string most_name = surface::option_name(options.prefix, "until");
+    if (scene.at_separations && !(options.from && options.to))
+        throw domain_error("the scene has separations; " + least_name + " and " + most_name +
+                           " must give the range of pressures");
+    const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
+    const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
+    detail::require_positive(least_name, from);
+    detail::require(to > from, most_name, to,
+                    "greater than " + least_name + ", " + document::shortest(from) + " Pa" +
+                        (*least == *greatest ? "; the scene has only one pressure" : ""));
+
+    Scene fine = scene;
+    fine.laws = {&law_of(scene, options)};
+    if (!scene.peaks.empty()) {
+        detail::require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
+                        surface::option_name(options.prefix, "peaks"), options.peaks,
+                        "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
+        fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
+    }
+    fine.samples = 0;
+    fine.best = fine.solves_map = false;
+    using enum CurveQuantity;
+    for (const CurveQuantity quantity : {separation, stiffness, loading_stiffness}) fine.ask(quantity);
+    for (const CurveQuantity quantity : {real_area, contacts, reflection, shear_reflection, loss_factor})
+        fine.ask(quantity, false);
+    fine.ask(tangential_stiffness, scene.asks(tangential_stiffness) || scene.friction);
+    fine.at_separations = false;
+    // the chord of an exponential is off by (log ratio)^2/8, and its slope by (log ratio)/2
+    const double decades = std::log(to / from), by_slope = 2 * options.slope_tolerance;
+    const double step =
+        std::min(std::sqrt(8 * options.tolerance) / 16, fine.laws[0]->varies ? by_slope / 8.2 : by_slope);
+    const auto steps = static_cast<std::size_t>(std::max(32.0, std::ceil(decades / step)));
+    fine.points.clear();
+    for (std::size_t i = 0; i <= steps; ++i)
+        fine.points.push_back(from * std::exp(decades * static_cast<double>(i) / static_cast<double>(steps)));
+    return fine;
+}
+
+/// The answer of \p scene, which names no law, at those of its pressures that are between \p from and \p to.
+std::vector<PressureTable::Answer> answer_between(Scene scene, double from, double to, const ProgressHook& progress) {
+    std::vector<double> kept;
+    for (const std::size_t place : points_of_answer(scene))
+        if (const double p = scene.points[place]; p >= from * (1 - 1e-9) && p <= to * (1 + 1e-9)) kept.push_back(p);
+    scene.points = std::move(kept);
+    std::vector<PressureTable::Answer> rows;
+    if (scene.at_separations || scene.points.empty()) return rows;
+    const Curve curve = compute(scene, progress).answer->curve;
+    for (std::size_t i = 0; i < curve.states.size(); ++i)
+        rows.push_back({curve.states[i].pressure.value, curve.states[i].stiffness.value, curve.band[i].low,
+                        curve.band[i].high, std::string(curve.law_at(i).name)});
+    return rows;
+}
+
+/// The least and the greatest slope of \p points over K.
+std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve, const Line& points) {
+    if (!detail::has(curve.law->quantities, Quantity::stiffness) ||
+        !detail::has(curve.law->quantities, Quantity::loading_stiffness))
+        return std::nullopt;
+    PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double ratio = points[i].slope / curve.states[i].stiffness.value;
+        if (!(ratio > 0)) return std::nullopt;  // boundary elements that flow know K of unloading alone
+        range = {std::min(range.least, ratio), std::max(range.greatest, ratio)};
+    }
+    return range;
+}
+
+/// The pressures of \p curve, and -dp/dd, over the way that the faces have come closer since its first state.
+Line points_of(const Curve& curve) {
+    Line points;
+    for (const auto& state : curve.states) {
+        points.push_back({curve.states.front().separation.value - state.separation.value, state.pressure.value,
+                          state.loading_stiffness.value});
+        if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
+            throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
+                               document::shortest(state.pressure.value) +
+                               " Pa; a table needs one that falls as the pressure rises");
+    }
+    if (points.size() < 2)
+        throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
+    return points;
+}
+
+/// Gives \p points the slopes of the chords between \p rows.
+void set_slopes_of_chords(Line& points, const std::vector<std::size_t>& rows) {
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+        const LinePoint a = points[rows[row - 1]], b = points[rows[row]];
+        for (std::size_t i = rows[row - 1]; i <= rows[row]; ++i) points[i].slope = (b.y - a.y) / (b.x - a.x);
+    }
+}
+
+/// The value \p at_zero, then those of \p quantity along \p curve; empty where it has none.
+std::vector<double> values_after(double at_zero, const Curve& curve, CurveQuantity quantity) {
+    for (const scene::Column& column : curve.columns)
+        if (column.quantity == quantity && column.statistic == scene::Statistic::value && !column.values.empty()) {
+            std::vector<double> values{at_zero};
+            values.insert(values.end(), column.values.begin(), column.values.end());
+            return values;
+        }
+    return {};
+}
+
+/// \p points, where the overclosure 0 is at \p foot, and the other columns of \p curve.
+LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& points, double foot,
+                        double zero_separation) {
+    LawColumns columns{.overclosure = {0}, .pressure = {0}, .slope = {0}};
+    for (const LinePoint& point : points) {
+        columns.overclosure.push_back(point.x - foot);
+        columns.pressure.push_back(point.y);
+        columns.slope.push_back(point.slope);
+    }
+    columns.tangential = values_after(0, curve, CurveQuantity::tangential_stiffness);
+    columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
+    columns.heat = values_after(0, curve, CurveQuantity::thermal_conductance);
+    if (columns.heat.empty() || !scene.asks(CurveQuantity::thermal_conductance_gap)) return columns;
+    const double open = detail::conductance_of_gap(scene.conduction, zero_separation);
+    const std::vector<double> gap = values_after(open, curve, CurveQuantity::thermal_conductance_gap);
+    for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];
+    return columns;
+}
+
+}  // namespace
+
+Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& slope) {
+    Line points;
+    for (std::size_t i = 1; i < x.size(); ++i) points.push_back({x[i], y[i], slope.empty() ? 0 : slope[i]});
+    return points;
+}
+
+std::string law_text(const Scene& scene, const PressureTableOptions& options) {
+    const Scene fine = fine_scene(scene, options);
+    const double from = fine.points.front(), to = fine.points.back();
+    return make_contact(fine, 0, 0, options.progress)
+        .contact->tabulate({.min_pressure = from, .max_pressure = to, .outside = OutsideRange::extrapolate})
+        .to_text();
+}
+
+PressureTable pressure_table(const Scene& scene, const PressureTableOptions& options) {
+    detail::require(options.tolerance >= 1e-5 && options.tolerance <= 0.2,
+                    surface::option_name(options.prefix, "tolerance"), options.tolerance, "between 0.001 % and 20 %");
+    detail::require(options.slope_tolerance >= 1e-3 && options.slope_tolerance <= 1,
+                    surface::option_name(options.prefix, "slope_tolerance"), options.slope_tolerance,
+                    "between 0.1 % and 100 %");
+    const Results results = compute(fine_scene(scene, options), options.progress);
+    const Curve& curve = results.curves.front();
+    Line points = points_of(curve);
+    const ChordErrors within = fine_tolerance({options.tolerance, options.slope_tolerance});
+    std::vector<std::size_t> chosen = rows_within({points}, within);
+    const bool follows = error_of_rows({points}, chosen).slope <= within.slope;
+    if (!follows) chosen = rows_within({points}, {within.value, std::numeric_limits<double>::infinity()});
+    const ChordErrors error = error_of_rows({points}, chosen);
+    if (!follows) set_slopes_of_chords(points, chosen);
+    const LinePoint first = points.front(), second = points[chosen[1]];
+    const double foot = -first.y * second.x / (second.y - first.y);
+
+    PressureTable table{.title = title(curve),
+                        .law = std::string(curve.law->name),
+                        .from = points.front().y,
+                        .to = points.back().y,
+                        .zero_separation = curve.states.front().separation.value - foot,
+                        .error = error,
+                        .answer = scene.best && options.law.empty()
+                                      ? answer_between(scene, points.front().y, points.back().y, options.progress)
+                                      : std::vector<PressureTable::Answer>(),
+                        .slope_over_stiffness = slope_over_stiffness(curve, points),
+                        .follows_slope = follows,
+                        .warnings = results.warnings,
+                        .doubtful = results.doubtful || !follows};
+    table.columns = columns_from(scene, curve, points, foot, table.zero_separation);
+    if (!follows) table.columns.slope.clear();
+    table.rows.push_back({0, 0});
+    for (std::size_t i = 1; i < chosen.size(); ++i)
+        table.rows.push_back({points[chosen[i]].y, points[chosen[i]].x - foot});
+    return table;
+}
+
+}  // namespace fstiff::actions

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "actions/results.hpp"
+
+#include "actions/explanation.hpp"
+#include "document/file.hpp"
+#include "document/shown_unit.hpp"
+
+#include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/rough_contact.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace fstiff::actions {
+
+using detail::LawCurve, scene::Scene;
+
+namespace {
+
+/// \throws domain_error where no curve has a state, with the reason of the first law at its first point.
+void require_states(const Scene& scene, const std::vector<LawCurve>& curves) {
+    if (std::any_of(curves.begin(), curves.end(), [](const LawCurve& curve) { return !curve.states.empty(); })) return;
+    for (const LawCurve& curve : curves)
+        if (!curve.missed.empty())
+            throw domain_error(scene.points_where + "law " + std::string(curve.law->name) + ": " +
+                               reason_of(scene, curve.missed.front()));
+}
+
+std::vector<LawCurve> moved(detail::Curves& from) {
+    if (from.named.empty()) from.named.push_back(*from.answer);
+    return std::move(from.named);
+}
+
+/// \p curves with the columns of \p scene.
+std::vector<Curve> with_columns(const Scene& scene, std::vector<LawCurve> curves) {
+    const bool bands =
+        std::any_of(curves.begin(), curves.end(), [](const LawCurve& curve) { return !curve.band.empty(); });
+    std::vector<Curve> computed;
+    for (LawCurve& curve : curves) {
+        computed.push_back({std::move(curve)});
+        computed.back().columns = columns_of(scene, computed.back(), bands);
+    }
+    return computed;
+}
+
+/// The answer that \p curves has next to the laws that are named, or a warning.
+void take_answer(const Scene& scene, detail::Curves& curves, Results& results) {
+    const auto refuse = [&](const std::string& why) {
+        results.warnings.push_back("the answer has no K: " + why);
+        results.doubtful = true;
+    };
+    if (!curves.answer) return refuse(curves.no_answer);
+    try {
+        require_states(scene, {*curves.answer});
+    } catch (const domain_error& error) {
+        return refuse(error.what());
+    }
+    StiffnessAnswer& answer = results.answer.emplace();
+    static_cast<detail::AnswerFacts&>(answer) = std::move(curves.facts);
+    static_cast<LawCurve&>(answer.curve) = std::move(*curves.answer);
+    answer.curve.columns = columns_of(scene, answer.curve, true);
+}
+
+}  // namespace
+
+std::string reason_of(const Scene& scene, const detail::MissedPoint& missed) {
+    if (missed.why == detail::Miss::range)
+        return "a result for " + document::shortest(scene.points[missed.place]) +
+               " is beyond the range of double precision; the values of the scene must be less extreme";
+    return detail::reason_of(missed, document::with_unit(missed.limit, "Pa", 3));
+}
+
+std::string laws_of(const Curve& curve) {
+    std::vector<const detail::Law*> laws;
+    for (const detail::Law* law : curve.by)
+        if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
+    if (laws.empty()) laws.push_back(curve.law);
+    std::string text;
+    for (const detail::Law* law : laws) text += (text.empty() ? "" : " and ") + std::string(law->name);
+    return text;
+}
+
+std::string title(const Curve& curve) {
+    std::string text = laws_of(curve);
+    if (curve.theta) text += ", theta = " + document::rounded(*curve.theta) + ", r = " + document::rounded(*curve.r);
+    return text;
+}
+
+std::optional<double> Curve::value_at(std::size_t place, scene::CurveQuantity quantity,
+                                      scene::Statistic statistic) const {
+    const auto state = state_at(place);
+    for (const scene::Column& column : columns)
+        if (state && column.quantity == quantity && column.statistic == statistic && !column.values.empty() &&
+            !std::isnan(column.values[*state]))
+            return column.values[*state];
+    return std::nullopt;
+}
+
+Scene with_finer_points(Scene scene, bool between) {
+    const std::size_t enough = scene.face.map ? 9 : 41;  // boundary elements are solved at each of a map
+    std::vector<double> points = scene.points;
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (between) scene.points.clear();
+    if (points.size() < 2 || points.size() >= enough) return scene;
+    const std::size_t steps = (enough - 1 + points.size() - 2) / (points.size() - 1);
+    scene.points.clear();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        for (std::size_t k = between ? 1 : 0; k < steps; ++k) {
+            const double t = static_cast<double>(k) / static_cast<double>(steps);
+            const double low = points[i], high = points[i + 1];
+            scene.points.push_back(k == 0                 ? low
+                                   : scene.at_separations ? low + t * (high - low)
+                                                          : low * std::pow(high / low, t));
+        }
+    if (!between) scene.points.push_back(points.back());
+    scene.listed = true;
+    if (!scene.forces.empty()) scene.forces = scene.points;
+    for (double& force : scene.forces) force *= *scene.nominal_area;
+    return scene;
+}
+
+std::vector<const Curve*> shown_curves(const Results& results) {
+    std::vector<const Curve*> shown;
+    const bool named = results.curves.front().by.empty();  // else it is the answer's
+    if (results.answer && named) shown.push_back(&results.answer->curve);
+    for (const Curve& curve : results.curves) shown.push_back(&curve);
+    return shown;
+}
+
+bool has_band(const Results& results) {
+    return std::any_of(results.curves.begin(), results.curves.end(),
+                       [](const Curve& curve) { return !curve.band.empty(); });
+}
+
+std::vector<Curve> curves_of(const Scene& scene, const std::vector<detail::MadeContact>& contacts) {
+    detail::Request request = request_of(scene);
+    request.answers = request.checked = false;
+    detail::Curves computed = curves_of(scene, request, {}, &contacts);
+    std::vector<LawCurve> curves = moved(computed);
+    require_states(scene, curves);
+    return with_columns(scene, std::move(curves));
+}
+
+Results compute(const Scene& scene, const ProgressHook& progress, const ParallelHook& parallel) {
+    Results results;
+    results.modulus = scene.effective_modulus;
+    results.warnings = scene.warnings;
+    const bool has_peaks = scene.face.has_radius_and_density();
+    if (scene.yield_strength && has_peaks)
+        results.plasticity_index =
+            detail::plasticity_index(scene.face.roughness(), scene.effective_modulus, *scene.yield_strength);
+    results.tangential_ratio = tangential_ratio(scene.upper, scene.lower);
+    if (has_peaks)
+        results.surface_checks =
+            detail::check_surface(scene.face.roughness(), scene.effective_modulus, scene.yield_strength);
+    detail::Request request = request_of(scene);
+    request.parallel = parallel;
+    // warnings and the explanation need the contacts and the area, whichever columns are shown
+    request.quantities = request.quantities | Quantity::contact_density | Quantity::real_area_fraction;
+    detail::Curves computed = curves_of(scene, request, progress);
+    const bool best = computed.named.empty();
+    std::vector<LawCurve> curves = moved(computed);
+    for (const LawCurve& curve : curves)
+        if (!curve.not_seated.empty())
+            results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + curve.not_seated);
+    require_states(scene, curves);
+    if (computed.failed > 0)
+        results.warnings.push_back(
+            "up to " + std::to_string(computed.failed) + " of " + std::to_string(scene.samples) +
+            " sampled surfaces are outside the range of the model at some point: the band there is from the others");
+    results.curves = with_columns(scene, std::move(curves));
+    if (best) {
+        StiffnessAnswer& answer = results.answer.emplace();
+        static_cast<detail::AnswerFacts&>(answer) = std::move(computed.facts);
+        answer.curve = results.curves.front();
+    } else {
+        take_answer(scene, computed, results);
+    }
+    add_warnings(scene, results);
+    Explanation sentences = explanation(scene, results);
+    results.explanation = std::move(sentences.sentences);
+    results.short_explanation = std::move(sentences.shorter);
+    return results;
+}
+
+}  // namespace fstiff::actions
