@@ -31,7 +31,7 @@ std::string joined(const std::vector<std::string_view>& words, std::string_view 
 /// "sigma and Dp", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
     std::vector<std::string_view> names;
-    for (const Parameter one : parameters) names.push_back(detail::row_of(one).short_name);
+    for (const Parameter parameter : parameters) names.push_back(detail::row_of(parameter).short_name);
     return joined(names, " and ");
 }
 
@@ -49,8 +49,8 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
     return data;
 }
 
-bool has(const std::vector<Parameter>& wanted, Parameter one) {
-    return std::count(wanted.begin(), wanted.end(), one) > 0;
+bool has(const std::vector<Parameter>& wanted, Parameter parameter) {
+    return std::count(wanted.begin(), wanted.end(), parameter) > 0;
 }
 
 /// Whether the surface is (sigma, g, alpha) to a fit of \p wanted: R and D_p follow then.
@@ -61,8 +61,8 @@ bool of_spectrum(const std::vector<Parameter>& wanted) {
 ContactParameters<double> start_of(const Problem& problem, const detail::Peaks* peaks) {
     ContactParameters<double> start;
     const SpectralMoments<double> moments = spectral_moments(problem.face);
-    const Roughness<double> of = problem.face.roughness();
-    start.rms_height = of.rms_height, start.peak_radius = of.peak_radius, start.peak_density = of.peak_density;
+    const Roughness<double> rough = problem.face.roughness();
+    start.rms_height = rough.rms_height, start.peak_radius = rough.peak_radius, start.peak_density = rough.peak_density;
     start.fractal_dimension = problem.face.dimension().value_or(1.5);
     start.effective_modulus = problem.effective_modulus;
     start.rms_gradient = std::sqrt(2 * moments.m2), start.alpha = moments.bandwidth();
@@ -87,9 +87,9 @@ Problem lean_problem(const Problem& problem, const Fit& fit) {
 /// \p map with heights that are \p factor times as high.
 std::shared_ptr<const detail::MapOfSurface> made_taller(detail::MapOfSurface map, double factor) {
     map.taller *= factor;
-    for (Summits<double>& of : map.summits) {
-        of.rms_height *= factor;
-        for (Summit<double>& summit : of.summits) {
+    for (Summits<double>& trace : map.summits) {
+        trace.rms_height *= factor;
+        for (Summit<double>& summit : trace.summits) {
             summit.height *= factor, summit.max_curvature *= factor, summit.min_curvature *= factor;
             summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
         }
@@ -125,8 +125,8 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
     lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
     lean.effective_modulus = x.effective_modulus;
     std::vector<ContactPoint<double>> points;
-    for_each_contact(lean, {&law}, {}, [&](const detail::ContactOfLaw& of) {
-        if (points.empty()) points = of.make()->at_pressures(pressures, Quantity::stiffness);
+    for_each_contact(lean, {&law}, {}, [&](const detail::ContactOfLaw& contact) {
+        if (points.empty()) points = contact.make()->at_pressures(pressures, Quantity::stiffness);
     });
     return points;
 }
@@ -176,8 +176,8 @@ void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) tr
         auto& own = fit.found.parameters[i];
         const detail::ParameterScale<double> scale(own.parameter);
         double u = scale.variable(own.value), below = u - scale.variable(own.low), above = scale.variable(own.high) - u;
-        for (const auto* one : {&low, &high}) {
-            const double moved = scale.variable(one->parameters[i].value) - u;
+        for (const auto* end : {&low, &high}) {
+            const double moved = scale.variable(end->parameters[i].value) - u;
             (moved < 0 ? below : above) = std::hypot(moved < 0 ? below : above, moved);
         }
         if (std::max(below, above) < 7)  // three decades, or all between two bounds
