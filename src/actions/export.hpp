@@ -16,17 +16,13 @@ enum class Solver { calculix, abaqus, moose, comsol, law };
 
 }  // namespace fstiff::actions
 
-namespace fstiff {
-
 template <>
-inline constexpr auto names<actions::Solver> = detail::name_list<actions::Solver>({{actions::Solver::calculix,
-                                                                                    "calculix"},
-                                                                                   {actions::Solver::abaqus, "abaqus"},
-                                                                                   {actions::Solver::moose, "moose"},
-                                                                                   {actions::Solver::comsol, "comsol"},
-                                                                                   {actions::Solver::law, "law"}});
-
-}  // namespace fstiff
+inline constexpr auto fstiff::names<fstiff::actions::Solver> =
+    detail::name_list<actions::Solver>({{actions::Solver::calculix, "calculix"},
+                                        {actions::Solver::abaqus, "abaqus"},
+                                        {actions::Solver::moose, "moose"},
+                                        {actions::Solver::comsol, "comsol"},
+                                        {actions::Solver::law, "law"}});
 
 namespace fstiff::actions {
 

@@ -25,20 +25,16 @@ enum class GeneratedForm { csv, sdf, sdf_text };
 
 }  // namespace fstiff::actions
 
-namespace fstiff {
-
 template <>
-inline constexpr auto names<actions::GeneratedKind> =
+inline constexpr auto fstiff::names<fstiff::actions::GeneratedKind> =
     detail::name_list<actions::GeneratedKind>({{actions::GeneratedKind::wm, "wm"},
                                                {actions::GeneratedKind::profile, "profile"},
                                                {actions::GeneratedKind::map, "map"}});
 template <>
-inline constexpr auto names<actions::GeneratedForm> =
+inline constexpr auto fstiff::names<fstiff::actions::GeneratedForm> =
     detail::name_list<actions::GeneratedForm>({{actions::GeneratedForm::csv, "csv"},
                                                {actions::GeneratedForm::sdf, "sdf"},
                                                {actions::GeneratedForm::sdf_text, "sdf-text"}});
-
-}  // namespace fstiff
 
 namespace fstiff::actions {
 

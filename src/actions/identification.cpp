@@ -4,8 +4,6 @@
 #include "actions/results.hpp"
 #include "document/shown_unit.hpp"
 
-#include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/problem.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 
@@ -17,7 +15,8 @@
 
 namespace fstiff::actions {
 
-using detail::Problem;
+using detail::dimensionless_pressure, detail::Face, detail::Law, detail::Problem, document::option_error,
+    document::rounded, scene::Scene, surface::option_name;
 
 namespace {
 
@@ -32,7 +31,7 @@ std::string joined(const std::vector<std::string_view>& words, std::string_view 
 /// "sigma and Dp", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
     std::vector<std::string_view> names;
-    for (const Parameter one : parameters) names.push_back(detail::row_of(one).short_name);
+    for (const Parameter parameter : parameters) names.push_back(detail::row_of(parameter).short_name);
     return joined(names, " and ");
 }
 
@@ -50,8 +49,8 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
     return data;
 }
 
-bool has(const std::vector<Parameter>& wanted, Parameter one) {
-    return std::count(wanted.begin(), wanted.end(), one) > 0;
+bool has(const std::vector<Parameter>& wanted, Parameter parameter) {
+    return std::count(wanted.begin(), wanted.end(), parameter) > 0;
 }
 
 /// Whether the surface is (sigma, g, alpha) to a fit of \p wanted: R and D_p follow then.
@@ -62,8 +61,8 @@ bool of_spectrum(const std::vector<Parameter>& wanted) {
 ContactParameters<double> start_of(const Problem& problem, const detail::Peaks* peaks) {
     ContactParameters<double> start;
     const SpectralMoments<double> moments = spectral_moments(problem.face);
-    const Roughness<double> of = problem.face.roughness();
-    start.rms_height = of.rms_height, start.peak_radius = of.peak_radius, start.peak_density = of.peak_density;
+    const Roughness<double> rough = problem.face.roughness();
+    start.rms_height = rough.rms_height, start.peak_radius = rough.peak_radius, start.peak_density = rough.peak_density;
     start.fractal_dimension = problem.face.dimension().value_or(1.5);
     start.effective_modulus = problem.effective_modulus;
     start.rms_gradient = std::sqrt(2 * moments.m2), start.alpha = moments.bandwidth();
@@ -88,9 +87,9 @@ Problem lean_problem(const Problem& problem, const Fit& fit) {
 /// \p map with heights that are \p factor times as high.
 std::shared_ptr<const detail::MapOfSurface> made_taller(detail::MapOfSurface map, double factor) {
     map.taller *= factor;
-    for (Summits<double>& of : map.summits) {
-        of.rms_height *= factor;
-        for (Summit<double>& summit : of.summits) {
+    for (Summits<double>& trace : map.summits) {
+        trace.rms_height *= factor;
+        for (Summit<double>& summit : trace.summits) {
             summit.height *= factor, summit.max_curvature *= factor, summit.min_curvature *= factor;
             summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
         }
@@ -99,8 +98,7 @@ std::shared_ptr<const detail::MapOfSurface> made_taller(detail::MapOfSurface map
 }
 
 /// \p face with those of \p x that are \p wanted.
-detail::Face with_parameters(detail::Face face, const ContactParameters<double>& x,
-                             const std::vector<Parameter>& wanted) {
+Face with_parameters(Face face, const ContactParameters<double>& x, const std::vector<Parameter>& wanted) {
     const double taller = x.rms_height / face.parameters.rms_height.value;
     for (const Parameter each : wanted)
         if (auto* known = face.parameters.find(each)) known->value = x[each];
@@ -118,7 +116,7 @@ detail::Face with_parameters(detail::Face face, const ContactParameters<double>&
 }
 
 /// The contact that \p lean makes by \p law with those of \p x that are \p wanted, under \p pressures.
-std::vector<ContactPoint<double>> points_with(Problem lean, const detail::Law& law, const ContactParameters<double>& x,
+std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, const ContactParameters<double>& x,
                                               const std::vector<Parameter>& wanted, std::span<const double> pressures) {
     lean.face = with_parameters(std::move(lean.face), x, wanted);
     if (has(wanted, Parameter::hardness)) lean = with_hardness(std::move(lean), x.hardness);
@@ -127,8 +125,8 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const detail::Law& l
     lean.default_peaks = lean.default_peaks && of_spectrum(wanted) && !own_peaks;  // r follows alpha
     lean.effective_modulus = x.effective_modulus;
     std::vector<ContactPoint<double>> points;
-    for_each_contact(lean, {&law}, {}, [&](const detail::ContactOfLaw& of) {
-        if (points.empty()) points = of.make()->at_pressures(pressures, Quantity::stiffness);
+    for_each_contact(lean, {&law}, {}, [&](const detail::ContactOfLaw& contact) {
+        if (points.empty()) points = contact.make()->at_pressures(pressures, Quantity::stiffness);
     });
     return points;
 }
@@ -145,14 +143,13 @@ Identification<double> found_by(const Problem& problem, const Fit& fit, const de
     });
 }
 
-/// \p observation with K times \p factor, and the reflection of that.
-Observation<double> scaled(Observation<double> observation, double factor,
-                           const std::optional<Wave<double>>& wave) try {
-    if (!wave) return {observation.pressure, factor * observation.value, factor * observation.error};
-    const double K = stiffness_from_reflection(observation.value, wave->media, wave->angular_frequency);
-    return {observation.pressure, reflection(factor * K, wave->media, wave->angular_frequency), observation.error};
+/// \p point with K times \p factor, and the reflection of that.
+Observation<double> scaled(Observation<double> point, double factor, const std::optional<Wave<double>>& wave) try {
+    if (!wave) return {point.pressure, factor * point.value, factor * point.error};
+    const double K = stiffness_from_reflection(point.value, wave->media, wave->angular_frequency);
+    return {point.pressure, reflection(factor * K, wave->media, wave->angular_frequency), point.error};
 } catch (const domain_error&) {  // noise: no K reflects so
-    return observation;
+    return point;
 }
 
 /// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
@@ -167,9 +164,7 @@ void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) tr
         std::vector<Observation<double>> data = inputs.data;
         for (Observation<double>& observation : data) {
             detail::AnswerReason reason;
-            if (g)
-                reason.p_star =
-                    detail::dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
+            if (g) reason.p_star = dimensionless_pressure(observation.pressure, inputs.start.effective_modulus, *g);
             observation = scaled(observation, std::exp(-wider * law_error(problem, fit.law->which, reason).*end),
                                  inputs.options.wave);
         }
@@ -181,8 +176,8 @@ void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) tr
         auto& own = fit.found.parameters[i];
         const detail::ParameterScale<double> scale(own.parameter);
         double u = scale.variable(own.value), below = u - scale.variable(own.low), above = scale.variable(own.high) - u;
-        for (const auto* one : {&low, &high}) {
-            const double moved = scale.variable(one->parameters[i].value) - u;
+        for (const auto* end : {&low, &high}) {
+            const double moved = scale.variable(end->parameters[i].value) - u;
             (moved < 0 ? below : above) = std::hypot(moved < 0 ? below : above, moved);
         }
         if (std::max(below, above) < 7)  // three decades, or all between two bounds
@@ -207,18 +202,17 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
         case FitConcern::not_converged:
             return "the search did not converge: start closer to the data, or fit fewer parameters";
         case FitConcern::misfit:
-            return "chi^2/dof = " + document::rounded(finding.value, 3) +
+            return "chi^2/dof = " + rounded(finding.value, 3) +
                    ": the model does not describe the data within their errors, and the standard errors are too small";
         case FitConcern::scattered:
             return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
                    " % about the model: the model does not describe them, or some of them are wrong";
         case FitConcern::outlier:
-            return "the point at p = " +
-                   document::unit_of_pressure(fit.points[finding.point].pressure)(fit.points[finding.point].pressure) +
-                   " is " + document::rounded(finding.value, 2) +
+            return "the point at p = " + document::with_unit(fit.points[finding.point].pressure, "Pa") + " is " +
+                   rounded(finding.value, 2) +
                    " times as far from the model as the median of the points: it distorts the fit";
         case FitConcern::far_from_start:
-            return names + " is " + document::rounded(finding.value, 2) +
+            return names + " is " + rounded(finding.value, 2) +
                    " times its starting value: check the units of the measured columns; if they are right, start from "
                    "the value found";
         case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
@@ -229,17 +223,16 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
             return "the data hardly constrain " + names +
                    ": the ends of its interval differ by a factor of 100 or more";
         case FitConcern::correlated:
-            return names + " can hardly be separated (correlation " + document::rounded(finding.value, 4) + ")";
+            return names + " can hardly be separated (correlation " + rounded(finding.value, 4) + ")";
     }
     return {};
 }
 
-std::optional<Wave<double>> wave_of(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
-    const std::string name = surface::option_name(request.prefix, "wave");
+std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+    const std::string name = option_name(request.prefix, "wave");
     if (!curve.is_reflection) {
         if (request.shear)
-            throw document::option_error(name + " shear is for measured reflections; " + curve.name +
-                                         " holds stiffnesses");
+            throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
         return std::nullopt;
     }
     if (!scene.ultrasound)
@@ -254,24 +247,24 @@ std::optional<Wave<double>> wave_of(const scene::Scene& scene, const MeasuredCur
 }
 
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.
-std::vector<const detail::Law*> laws_of(const scene::Scene& scene, const FitRequest& request) {
+std::vector<const Law*> laws_of(const Scene& scene, const FitRequest& request) {
     if (request.law.empty()) return scene.laws;
-    const detail::Law* law = detail::find_law(request.law);
+    const Law* law = detail::find_law(request.law);
     const std::string why = law->needs_dimension && !scene.face.dimension()
                                 ? "needs surface.fractal_dimension, which is missing"
                                 : refusal_of(*law, scene);
     if (!why.empty())
-        throw domain_error(scene.file + ": law \"" + request.law + "\", which " +
-                           surface::option_name(request.prefix, "law") + " asks for, " + why);
+        throw domain_error(scene.file + ": law \"" + request.law + "\", which " + option_name(request.prefix, "law") +
+                           " asks for, " + why);
     return {law};
 }
 
 /// The fits that are asked for, still without what they find.
-std::vector<Fit> fits_of(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request,
+std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request,
                          std::vector<std::string>& warnings) {
     std::vector<Fit> fits;
     std::string skipped;
-    for (const detail::Law* law : laws_of(scene, request)) {
+    for (const Law* law : laws_of(scene, request)) {
         if (!law->varies) {
             skipped = law->name;
             continue;
@@ -297,8 +290,8 @@ std::vector<Fit> fits_of(const scene::Scene& scene, const MeasuredCurve& curve, 
 }
 
 /// Refuses parameters that \p scene has no value of, or that follow from others. \throws option_error, domain_error
-void require_known(const scene::Scene& scene, const FitRequest& request) {
-    const std::string option = surface::option_name(request.prefix, "fit");
+void require_known(const Scene& scene, const FitRequest& request) {
+    const std::string option = option_name(request.prefix, "fit");
     if (has(request.wanted, Parameter::fractal_dimension) && !scene.face.dimension())
         throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option + " D starts from it");
     if (has(request.wanted, Parameter::hardness) && !std::isfinite(hardness_of(scene)))
@@ -306,10 +299,9 @@ void require_known(const scene::Scene& scene, const FitRequest& request) {
                            " hardness starts from it, or from its range");
     for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
         if (of_spectrum(request.wanted) && has(request.wanted, each))
-            throw document::option_error(
+            throw option_error(
                 option + " " + std::string(detail::row_of(each).short_name) +
-                ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the "
-                "other");
+                ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the other");
     for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
         if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
             throw domain_error(scene.file + ": " + option + " " + std::string(detail::row_of(each).short_name) +
@@ -345,8 +337,8 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
         return "";
     const bool has_plastic = lack_of(detail::find_law(LawName::plastic), problem) == detail::Lack::nothing;
     return "the peaks of the fitted surface yield (" +
-           (g ? "H/(E g) = " + document::rounded(hardness / (x.effective_modulus * *g), 2) : "") +
-           (psi > 0 ? (g ? "; " : "") + ("plasticity index " + document::rounded(psi, 3)) : "") +
+           (g ? "H/(E g) = " + rounded(hardness / (x.effective_modulus * *g), 2) : "") +
+           (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
            "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");
 }
@@ -355,7 +347,7 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
 
 std::string title(const Fit& fit) {
     const std::string law(fit.law->name);
-    return fit.theta ? law + ", theta = " + document::rounded(*fit.theta) + ", r = " + document::rounded(*fit.r) : law;
+    return fit.theta ? law + ", theta = " + rounded(*fit.theta) + ", r = " + rounded(*fit.r) : law;
 }
 
 std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
@@ -365,7 +357,7 @@ std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fi
     return points_with(lean_problem(problem, fit), *fit.law, fit.found.optimum, wanted, pressures);
 }
 
-Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     if (scene.reading != InteractionReading::none)
         throw domain_error(scene.file +
                            ": contact.interaction: must be \"none\" to identify parameters: the fitted K is that of "

@@ -24,13 +24,9 @@ enum class WaveKind { longitudinal, shear };
 
 }  // namespace fstiff::actions
 
-namespace fstiff {
-
 template <>
-inline constexpr auto names<actions::WaveKind> = detail::name_list<actions::WaveKind>(
+inline constexpr auto fstiff::names<fstiff::actions::WaveKind> = detail::name_list<actions::WaveKind>(
     {{actions::WaveKind::longitudinal, "longitudinal"}, {actions::WaveKind::shear, "shear"}});
-
-}  // namespace fstiff
 
 namespace fstiff::actions {
 

@@ -84,8 +84,8 @@ using Cells = std::vector<std::string_view>;
 
 /// The place of the column called \p name.
 std::optional<std::size_t> column_called(const Cells& cells, std::string_view name) {
-    const auto found = std::find_if(cells.begin(), cells.end(), [&](auto cell) { return text::trimmed(cell) == name; });
-    return found == cells.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - cells.begin()));
+    const auto place = std::find_if(cells.begin(), cells.end(), [&](auto cell) { return text::trimmed(cell) == name; });
+    return place == cells.end() ? std::nullopt : std::optional(static_cast<std::size_t>(place - cells.begin()));
 }
 
 Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& curve) {
@@ -194,8 +194,7 @@ ComputedCurve computed_curve(const Cells& cells, const Header& header) {
     if (*header.law < cells.size()) curve.law = text::trimmed(cells[*header.law]);
     const auto number = [&](std::optional<std::size_t> index) -> std::optional<double> {
         if (!index || *index >= cells.size()) return std::nullopt;
-        const auto found = text::number_in(cells[*index], false);
-        return found;
+        return text::number_in(cells[*index], false);
     };
     curve.theta = number(header.theta);
     curve.r = number(header.r);
@@ -222,7 +221,7 @@ MeasuredCurve read_measured_curve(const std::string& file) {
     auto lines = text::lines_of(content, curve.name, count);
     std::erase_if(lines, [](const text::Line& line) { return text::is_comment(line.text); });
     if (lines.empty()) throw domain_error(curve.name + ": holds comments only; " + std::string(must_name_columns));
-    const auto at = [&](const text::Line& line) { return curve.name + ":" + std::to_string(line.number) + ": "; };
+    const auto where = [&](const text::Line& line) { return curve.name + ":" + std::to_string(line.number) + ": "; };
     const char separator = lines.front().text.find(';') != std::string_view::npos    ? ';'
                            : lines.front().text.find('\t') != std::string_view::npos ? '\t'
                            : lines.front().text.find(',') != std::string_view::npos  ? ','
@@ -233,20 +232,20 @@ MeasuredCurve read_measured_curve(const std::string& file) {
     text::split_line(lines.front().text, separator, cells);
     if (std::all_of(cells.begin(), cells.end(),
                     [&](auto cell) { return text::number_in(cell, decimal_comma).has_value(); }))
-        throw domain_error(at(lines.front()) + "is a row of numbers; " + std::string(must_name_columns));
-    const Header header = read_header(cells, at(lines.front()), curve);
-    check_header(header, at(lines.front()));
+        throw domain_error(where(lines.front()) + "is a row of numbers; " + std::string(must_name_columns));
+    const Header header = read_header(cells, where(lines.front()), curve);
+    check_header(header, where(lines.front()));
     curve.is_reflection = header.columns[column::reflection].has_value();
     curve.has_errors = header.columns[column::error].has_value();
     for (std::size_t row = 1; row < lines.size(); ++row) {
         text::split_line(lines[row].text, separator, cells);
-        MeasuredPoint& point = curve.points.emplace_back(read_row(cells, header, decimal_comma, at(lines[row])));
+        MeasuredPoint& point = curve.points.emplace_back(read_row(cells, header, decimal_comma, where(lines[row])));
         point.line = lines[row].number;
         if (!header.computed()) continue;
-        const ComputedCurve of = computed_curve(cells, header);
-        const auto known = std::find(curve.computed.begin(), curve.computed.end(), of);
+        const ComputedCurve law = computed_curve(cells, header);
+        const auto known = std::find(curve.computed.begin(), curve.computed.end(), law);
         point.curve = static_cast<std::size_t>(known - curve.computed.begin());
-        if (known == curve.computed.end()) curve.computed.push_back(of);
+        if (known == curve.computed.end()) curve.computed.push_back(law);
     }
     if (curve.points.empty()) throw domain_error(curve.name + ": has a header but no row; at least one row is needed");
     if (curve.computed.size() > 1 && curve.computed.front().law == answer_curve) {  // the laws that are named count

@@ -20,13 +20,9 @@ enum class SpectrumKind { psd, acf };
 
 }  // namespace fstiff::actions
 
-namespace fstiff {
-
 template <>
-inline constexpr auto names<actions::SpectrumKind> = detail::name_list<actions::SpectrumKind>(
+inline constexpr auto fstiff::names<fstiff::actions::SpectrumKind> = detail::name_list<actions::SpectrumKind>(
     {{actions::SpectrumKind::psd, "psd"}, {actions::SpectrumKind::acf, "acf"}});
-
-}  // namespace fstiff
 
 namespace fstiff::actions {
 

@@ -26,14 +26,9 @@ enum class Format { table, csv, json };
 
 }  // namespace fstiff::document
 
-namespace fstiff {
-
 template <>
-inline constexpr auto names<document::Format> = detail::name_list<document::Format>({{document::Format::table, "table"},
-                                                                                     {document::Format::csv, "csv"},
-                                                                                     {document::Format::json, "json"}});
-
-}  // namespace fstiff
+inline constexpr auto fstiff::names<fstiff::document::Format> = detail::name_list<document::Format>(
+    {{document::Format::table, "table"}, {document::Format::csv, "csv"}, {document::Format::json, "json"}});
 
 namespace fstiff::document {
 

@@ -138,13 +138,13 @@ void Rows::append_to(Json& list) const {
 }
 
 Json Rows::arrays() const {
-    Json all = Json::object();
+    Json table = Json::object();
     for (const Column& column : columns_) {
         if (!column.heading.json || column.heading.key.empty()) continue;
-        Json& list = all[column.heading.key] = Json::array();
+        Json& list = table[column.heading.key] = Json::array();
         for (const Cell& cell : column.cells) list.push_back(cell.json());
     }
-    return all;
+    return table;
 }
 
 }  // namespace fstiff::document

@@ -5,7 +5,6 @@
 
 #include "document/file.hpp"
 #include "request/field.hpp"
-#include "request/input.hpp"
 
 #include <fstiff/core/error.hpp>
 

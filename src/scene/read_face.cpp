@@ -8,8 +8,61 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
 
 namespace fstiff::scene {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> height_keys{"rms_height", "Rq", "Sq", "Ra", "Sa"};
+constexpr std::array<std::string_view, 4> gradient_keys{"rms_gradient", "Sdq", "Rdq", "RSm"};
+
+std::optional<Following> read_height(Source& source, const Section& surface, JointFace& face) {
+    const std::string_view key = surface.one_of(height_keys);
+    if (key.empty())
+        (void)surface.at("rms_height",
+                         "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");
+    (key.back() == 'a' ? face.mean_height : face.rms_height) = surface.positive(key, Dimension::length);
+    if (key == "rms_height") return std::nullopt;
+    return Following{source.inputs.size(), Parameter::rms_height, key};
+}
+
+std::optional<Following> read_gradient(Source& source, const Section& surface, JointFace& face) {
+    const std::string_view key = surface.one_of(gradient_keys);
+    if (key.empty() || key == "rms_gradient") return std::nullopt;  // read_spectrum() reads that
+    auto& to = key == "RSm" ? face.profile_spacing : key == "Sdq" ? face.rms_gradient : face.profile_gradient;
+    source.read(surface.at(key), surface.key(key), to,
+                {.high = std::numeric_limits<double>::max(),
+                 .above_low = true,
+                 .dimension = key == "RSm" ? std::optional(Dimension::length) : std::nullopt});
+    return Following{source.inputs.size(), Parameter::rms_gradient, key};
+}
+
+}  // namespace
+
+std::vector<std::string_view> roughness_keys() {
+    std::vector<std::string_view> keys(height_keys.begin() + 1, height_keys.end());
+    keys.insert(keys.end(), gradient_keys.begin() + 1, gradient_keys.end());
+    return keys;
+}
+
+void refuse_extremes(const Source& source, const toml::table& table, const std::string& path) {
+    for (const char* key : {"Rz", "Rt", "Sz", "Rmax"})
+        if (const toml::node* node = table.get(key))
+            source.refuse(*node, path + "." + key,
+                          "is the height from the deepest valley to the highest peak, 4 to 10 times Ra and different "
+                          "at every place; give Ra or Rq (Sa or Sq for a map)");
+}
+
+std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& face) {
+    std::vector<Following> numbers;
+    for (const auto read : {read_height, read_gradient})
+        if (const auto number = read(source, surface, face)) numbers.push_back(*number);
+    return numbers;
+}
+
 namespace {
 
 using Measured = std::shared_ptr<const surface::MeasuredSurface>;

@@ -187,10 +187,8 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     const Section top(source, root, "",
                       {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap",
                        "friction", "uncertainty", "output"});
-    if (const auto* name = top.find("name"))
-        scene.name = source.text(*name, "name");
-    else
-        scene.name = document::name_of_path(document::path_of(file).stem());
+    scene.name = document::name_of_path(document::path_of(file).stem());
+    if (const auto* name = top.find("name")) scene.name = source.text(*name, "name");
     const bool replaced = from.measured || !surface.empty();
     if (from.surface_of) {
         scene.face = from.surface_of->face;

@@ -5,7 +5,7 @@
 
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/problem.hpp>
-#include "request/input.hpp"
+#include "request/field.hpp"
 #include "scene/column.hpp"
 #include "surface/measured_surface.hpp"
 

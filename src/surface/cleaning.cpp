@@ -61,11 +61,11 @@ Crop<double> crop_of(const SurfaceOptions& options, const io::Surface& surface, 
 HeightMap<double>::Array read_mask(const std::string& file) {
     const std::string bytes = document::read_all(file), name = document::display_name(file);
     if (const io::detail::Reader& npy = io::detail::reader_of(io::SurfaceFormat::npy); npy.begins(bytes)) {
-        io::SurfaceOptions how;
-        how.dx = how.dy = how.spacing = 1;
-        how.units = "m";
-        how.missing = "none";
-        const io::RawMap read = npy.read(bytes, name, how).map;
+        io::SurfaceOptions reading;
+        reading.dx = reading.dy = reading.spacing = 1;
+        reading.units = "m";
+        reading.missing = "none";
+        const io::RawMap read = npy.read(bytes, name, reading).map;
         return Eigen::Map<const HeightMap<double>::Array>(read.heights.data(), static_cast<Eigen::Index>(read.rows),
                                                           static_cast<Eigen::Index>(read.columns));
     }

@@ -47,8 +47,8 @@ std::string crop_at_step(const Surface<double>& parameters) {
     return text;
 }
 
-/// A sentence on the parabola or the step that is most of the mean square height of \p parameters, and on what removes it;
-/// empty where there is none.
+/// A sentence on the parabola or the step that is most of the mean square height of \p parameters, and on what removes
+/// it; empty where there is none.
 std::string form_warning(const Surface<double>& parameters, const SurfaceOptions& options) {
     const PlainForm<double>& form = parameters.plain_form;
     const auto option = [&](std::string_view key, const std::string& value) {

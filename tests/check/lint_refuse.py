@@ -78,7 +78,7 @@ LAYERS = [
     ("must have rows '| folder |", "docs/architecture.md", "| sweep | first | x |\n" + ROWS),
     ("src/io may include only io", "src/io/text.hpp", '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/io may include only io", "src/io/text.hpp", "#  include <sweep/a.hpp>\n", "src/sweep/a.hpp", ""),
-    ("src/c may include only io, document, request, instances, surface, scene, c", "src/c/a.cpp",
+    ("src/c may include only io, document, request, instances, surface, scene, actions, c", "src/c/a.cpp",
      '#include "sweep/a.hpp"\n', "src/sweep/a.hpp", ""),
     ("src/cli/input may include", "src/cli/input/a.hpp", '#include "picture/a.hpp"\n', "src/cli/picture/a.hpp", ""),
     ("none.hpp is neither in src nor in src/cli", "src/io/text.hpp", '#include "io/none.hpp"\n'),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sweep/shard.hpp"
+#include "sweep/results_file.hpp"
 
 #include "support/catch.hpp"
 

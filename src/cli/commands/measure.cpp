@@ -3,9 +3,8 @@
 #include "actions/measure.hpp"
 #include "actions/scales.hpp"
 #include "commands/commands.hpp"
+#include "input/output_options.hpp"
 #include "input/progress.hpp"
-#include "input/scene_options.hpp"
-#include "input/surface_options.hpp"
 
 #include <fstiff/io/units.hpp>
 

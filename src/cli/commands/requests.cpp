@@ -10,9 +10,8 @@
 #include "actions/truth.hpp"
 #include "actions/ultrasound.hpp"
 #include "commands/commands.hpp"
+#include "input/output_options.hpp"
 #include "input/progress.hpp"
-#include "input/scene_options.hpp"
-#include "input/surface_options.hpp"
 
 #include <fstiff/asperity/material.hpp>
 

@@ -2,7 +2,7 @@
 // fstiff run: a scene to its curves, one per law and peak density.
 #include "actions/run.hpp"
 #include "commands/commands.hpp"
-#include "input/scene_options.hpp"
+#include "input/output_options.hpp"
 #include "picture/plot.hpp"
 
 #include <memory>

@@ -2,7 +2,6 @@
 #include "input/arguments.hpp"
 
 #include "document/output.hpp"
-#include "input/manual.hpp"
 
 #include <fstiff/core/text.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Manual pages in roff, made of the text that --help prints.
-#include "input/manual.hpp"
+#include "input/arguments.hpp"
 
 #include <algorithm>
 #include <cctype>

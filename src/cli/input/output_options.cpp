@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/output_options.hpp"
+#include "input/progress.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <system_error>
+#include <thread>
 
 namespace fstiff::cli {
 
@@ -30,6 +37,59 @@ void add_output_options(Arguments& arguments, OutputOptions& options, document::
 void add_output_option(Arguments& arguments, OutputOptions& options) {
     arguments.option("-o,--output", options.file,
                      {.help = "write to FILE instead of standard output, which - is", .type = "FILE"});
+}
+
+void add_surface_option(Arguments& arguments, surface::SurfaceOptions& options, std::string_view key,
+                        surface::SurfaceKind kind) {
+    const surface::SurfaceOptionRow& row = surface::surface_option(key);
+    row.visit(options, [&](auto& to) { arguments.option(row.flag_name(), to, row.field_for(kind)); });
+}
+
+void add_surface_options(Arguments& arguments, surface::SurfaceOptions& options, surface::SurfaceKind kind) {
+    options.prefix = "--";
+    options.format_name = "--input-format";
+    std::vector<const surface::SurfaceOptionRow*> rows;
+    for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
+        if (row.group != surface::OptionGroup::estimate && row.is_for(kind)) rows.push_back(&row);
+    std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) { return a->group < b->group; });
+    for (const surface::SurfaceOptionRow* row : rows) add_surface_option(arguments, options, row->key, kind);
+}
+
+void add_scene_options(Arguments& arguments, SceneOptions& options, const std::string& scene_help,
+                       const std::string& surface_help) {
+    arguments.option("scene", options.scene, {.help = scene_help});
+    if (!surface_help.empty()) arguments.option("--surface", options.surface, {.help = surface_help});
+}
+
+scene::Scene read_scene(const SceneOptions& options) {
+    if (options.scene == "-" && options.surface == "-")
+        throw Usage("the scene and --surface are both standard input; one of them must be a file");
+    const bool builtin = options.scene.empty();
+    scene::Scene scene =
+        scene::read_scene(builtin ? scene::builtin_scene : document::read_all(options.scene, document::longest_scene),
+                          {.name = builtin ? "built-in scene" : document::display_name(options.scene),
+                           .surface = options.surface,
+                           .progress = progress_bar()});
+    for (const std::string& file : scene.files) require_no_output(file);
+    return scene;
+}
+
+actions::Results computed(const scene::Scene& scene) {
+    const ProgressHook progress = progress_bar();
+    return actions::compute(scene, progress, [&](std::size_t count, const Piece& run) {
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i; (i = next++) < count;) run(i);
+        };
+        std::vector<std::future<void>> helpers;  // each ends before it is destroyed
+        try {
+            for (std::size_t i = 1; i < std::min<std::size_t>(std::thread::hardware_concurrency(), count); ++i)
+                helpers.push_back(std::async(std::launch::async, work));
+        } catch (const std::system_error&) {  // a limit on threads
+        }
+        for (std::size_t i; (i = next++) < count; run(i))
+            if (progress) progress("pieces", i, count);
+    });
 }
 
 }  // namespace fstiff::cli

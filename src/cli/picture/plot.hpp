@@ -8,6 +8,7 @@
 #include "actions/results.hpp"
 #include "document/output.hpp"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -77,5 +78,30 @@ void keep_for_picture(const std::string& file);
 /// Writes \p figure as \p file, unless that is empty, and next to it the numbers that are drawn: curve, panel, label,
 /// x_quantity, x, y_quantity, y, low, high. \p report names both. \throws file_error for what cannot be written.
 [[nodiscard]] Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file);
+
+struct Tick {
+    double value;
+    std::string label;  ///< empty: a fainter line without a number
+};
+
+class Scale {
+public:
+    /// Scale of \p axis for \p values. Close values get room about them.
+    Scale(const Axis& axis, const std::vector<double>& values);
+    bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
+    /// 0 at the lower end, 1 at the upper one.
+    double operator()(double value) const { return (place(value) - low_) / (high_ - low_); }
+    double low() const { return logarithmic_ ? std::pow(10.0, low_) : low_; }
+    double high() const { return logarithmic_ ? std::pow(10.0, high_) : high_; }
+    std::vector<Tick> ticks() const { return logarithmic_ ? decades() : steps(); }
+
+private:
+    double place(double value) const { return logarithmic_ ? std::log10(value) : value; }
+    std::vector<Tick> decades() const;
+    std::vector<Tick> steps() const;
+
+    bool logarithmic_;
+    double low_, high_;
+};
 
 }  // namespace fstiff::cli
