@@ -24,6 +24,7 @@
 #include <fstiff/math/piecewise.hpp>
 #include <fstiff/math/quadrature.hpp>
 #include <fstiff/math/root.hpp>
+#include <fstiff/math/round_fit.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/math/tukey.hpp>
@@ -55,6 +56,7 @@
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/scan_lines.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
@@ -93,6 +95,7 @@
 #include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/tabulated/ball_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/kinked_tabulator.hpp>
 #include <fstiff/tabulated/law_tables.hpp>

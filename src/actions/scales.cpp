@@ -5,6 +5,9 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
+#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/problem.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -11,6 +11,8 @@
 #include <variant>
 
 namespace fstiff::surface {
+
+using document::shown_length;
 namespace {
 
 bool has(const std::vector<MeasuredConcern>& concerns, MeasuredConcern concern) {
@@ -43,7 +45,7 @@ std::string crop_at_step(const Surface<double>& parameters) {
     (2 * form.place > to ? to : from) = form.place + (2 * form.place > to ? -edge : edge);
     std::string text;
     for (const auto& [low, high] : box)
-        text += (text.empty() ? "" : ",") + document::shown_length(low, 6) + "," + document::shown_length(high, 6);
+        text += (text.empty() ? "" : ",") + shown_length(low, 6) + "," + shown_length(high, 6);
     return text;
 }
 
@@ -62,7 +64,7 @@ std::string form_warning(const Surface<double>& parameters, const SurfaceOptions
     if (!form.is_step()) return "";
     const bool straight = (form.along_x || form.along_y) && options.crop.empty();
     return document::shown_percent(form.step) + " of the mean square height is one step" +
-           (straight ? " at " + document::shown_length(form.place, 3) + "; " + option("crop", crop_at_step(parameters))
+           (straight ? " at " + shown_length(form.place, 3) + "; " + option("crop", crop_at_step(parameters))
                      : "; " + options.name("crop") + " or " + options.name("mask")) +
            " keeps one side of it";
 }
@@ -71,15 +73,15 @@ std::string form_warning(const Surface<double>& parameters, const SurfaceOptions
 /// empty where there are none.
 std::string length_warning(double rms_height, double step) {
     if (!(rms_height > 1e-3 || step > 1e-2)) return "";
-    return "sigma is " + document::shown_length(rms_height, 3) + " and the points are " +
-           document::shown_length(step, 3) + " apart: a unit of its lengths is likely wrong";
+    return "sigma is " + shown_length(rms_height, 3) + " and the points are " + shown_length(step, 3) +
+           " apart: a unit of its lengths is likely wrong";
 }
 
 /// A sentence on offsets of the scan lines of a map; empty where none are seen.
 std::string lines_warning(const Surface<double>& parameters, const SurfaceOptions& options) {
     if (parameters.offset_lines == ScanAxis::automatic) return "";
     return "the lines along " + std::string(name_of(parameters.offset_lines)) + " are offset from each other by " +
-           document::shown_length(parameters.line_step, 3) +
+           shown_length(parameters.line_step, 3) +
            " rms, as by drift of a scanning probe: K may be off by a factor of two; " + options.name("align") +
            (options.prefix.empty() ? " = \"median\"" : " median") +
            " removes the offsets, and a fine lay along the lines, which looks alike";
@@ -98,9 +100,8 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     const Surface<double>& parameters = surface.found;
     auto& said = surface.decisions;
     const bool profile = surface.is_profile();
-    said.push_back("rms height " + document::shown_length(prepared.rms_as_read) + " as read, " +
-                   document::shown_length(prepared.rms) + " without its form (" + form_name(prepared) +
-                   radius_clause(prepared.radius) + ")");
+    said.push_back("rms height " + shown_length(prepared.rms_as_read) + " as read, " + shown_length(prepared.rms) +
+                   " without its form (" + form_name(prepared) + radius_clause(prepared.radius) + ")");
     said.push_back(sentence_of(parameters.cut_offs));
     if (profile)
         said.push_back("taken for isotropic: R and D_p from the triples and the " +
@@ -110,11 +111,11 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
             "R and D_p from " + std::to_string(parameters.peaks_counted) +
             (options.input.peaks == PeakSource::summits ? " summits" : " islands at the level where there are most"));
     if (parameters.fractal_dimension)
-        said.push_back("D and G from lags of " + document::shown_length(parameters.window.from) + " to " +
-                       document::shown_length(parameters.window.to) +
+        said.push_back("D and G from lags of " + shown_length(parameters.window.from) + " to " +
+                       shown_length(parameters.window.to) +
                        (options.input.window.empty() ? " (automatic)" : " (given)"));
     said.push_back("errors by " + std::to_string(options.resamples) + " resamples of " +
-                   (profile ? "blocks of " + document::shown_length(parameters.block_length)
+                   (profile ? "blocks of " + shown_length(parameters.block_length)
                             : std::to_string(parameters.blocks) + " tiles") +
                    ", seed " + std::to_string(options.seed));
 
@@ -133,7 +134,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     if (lay)
         warned.push_back(
             profile
-                ? "the profile repeats itself every " + document::shown_length(parameters.repetition.period) +
+                ? "the profile repeats itself every " + shown_length(parameters.repetition.period) +
                       " (autocorrelation " + document::rounded(parameters.repetition.correlation, 2) +
                       "): the face has a lay, and a profile cannot show the length of its ridges; K may be up to " +
                       document::rounded(detail::lay_factor) + " times higher; measure a map"

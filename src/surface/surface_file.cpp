@@ -321,7 +321,7 @@ std::string form_name(const LevelledProfile<double>& levelled) {
 std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
 
 std::string radius_clause(double radius) {
-    return radius == 0 ? "" : (radius < 0 ? ", hollow, of radius " : " of radius ") + shown_length(std::abs(radius));
+    return radius == 0 ? "" : (radius < 0 ? ", hollow, of radius " : " of radius ") + document::shown_length(std::abs(radius));
 }
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {

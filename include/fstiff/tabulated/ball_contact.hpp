@@ -65,6 +65,15 @@ inline double displacement_of_disc(double r, double a) {
     return 4 * r / std::numbers::pi * (of.second - (1 - k) * (1 + k) * of.first);
 }
 
+/// Displacement [m Pa] times the effective modulus at the radii \p r of 1 Pa on each ring between two of \p edges.
+inline Eigen::MatrixXd compliance_of_rings(const Eigen::VectorXd& r, const Eigen::VectorXd& edges) {
+    Eigen::MatrixXd compliance(r.size(), r.size());
+    for (Eigen::Index i = 0; i < r.size(); ++i)
+        for (Eigen::Index j = 0; j < r.size(); ++j)
+            compliance(i, j) = displacement_of_disc(r[i], edges[j + 1]) - displacement_of_disc(r[i], edges[j]);
+    return compliance;
+}
+
 /// The contact with \p rings of equal width up to \p reach. \throws domain_error where Newton's method does not converge.
 template <Real T>
 [[nodiscard]] ContactOfBall<T> ball_of_rings(const ContactLaw<T>& law, double radius, double modulus, double load,
@@ -74,22 +83,13 @@ template <Real T>
     const double width = reach / static_cast<double>(rings), pi = std::numbers::pi;
     const Vector edges = Vector::LinSpaced(rings + 1, 0, reach), r = (edges.head(rings) + edges.tail(rings)) / 2;
     const Vector area = 2 * pi * width * r;
-    Matrix compliance(rings, rings);
-    for (Eigen::Index i = 0; i < rings; ++i) {
-        double inner = 0;
-        for (Eigen::Index j = 0; j < rings; ++j) {
-            const double outer = displacement_of_disc(r[i], edges[j + 1]);
-            compliance(i, j) = (outer - inner) / modulus;
-            inner = outer;
-        }
-    }
+    const Matrix compliance = compliance_of_rings(r, edges) / modulus;
     const double hertz = std::cbrt(0.75 * load * radius / modulus), p_hertz = 1.5 * load / (pi * hertz * hertz);
     Vector ln_p = (p_hertz * (-2 * (r / reach).array().square() * 8).exp()).log(), p = ln_p.array().exp();
     ln_p.array() += std::log(load / area.dot(p));
     double delta = 0;
-    Vector slope(rings);
+    Vector slope(rings), rest(rings + 1);
     Matrix system(rings + 1, rings + 1);
-    Vector rest(rings + 1);
     for (int iteration = 0;; ++iteration) {
         p = ln_p.array().exp();
         Vector d(rings);
