@@ -28,7 +28,8 @@ ContactLaw<double> exponential(double scale) {
 }  // namespace
 
 TEST_CASE("Displacements of a disc are the integral of Boussinesq's over it") {
-    // 1/(pi E) integral dA/distance in polar coordinates about the point: of a point inside, the chord in each direction
+    // 1/(pi E) integral dA/distance in polar coordinates about the point: of a point inside, the chord in each
+    // direction
     for (const double r : {0.0, 0.3, 0.9}) {
         double chords = 0;
         constexpr int directions = 20000;

@@ -51,7 +51,8 @@ TEST_CASE("Offsets of any size leave the map as without them") {
                 CHECK(found == axis);
                 CHECK(test::relative_error(step, std::sqrt(2.0) * 1e-6) < 0.15);  // of 127 differences of numbers
                 CHECK((shifted.heights.isNaN() == plain.heights.isNaN()).all());
-                // median_of_differences leaves the offset of the first line; the rest is the rounding of 128 offsets of 3e-6
+                // median_of_differences leaves the offset of the first line; the rest is the rounding of 128 offsets of
+                // 3e-6
                 const Eigen::ArrayXXd moved = shifted.heights - plain.heights;
                 CHECK((moved - moved(0, 0)).isNaN().select(0, moved - moved(0, 0)).abs().maxCoeff() < 128 * 4e-22);
             }
@@ -87,7 +88,8 @@ TEST_CASE("K of a map whose lines were offset and aligned is that without offset
             squares += error * error, worst = std::max(worst, error);
         }
     }
-    // the waves that all points of a line share are lost: 1 to 2 % of the rms height of a map of eight of its longest waves
+    // the waves that all points of a line share are lost: 1 to 2 % of the rms height of a map of eight of its longest
+    // waves
     CHECK(std::sqrt(squares / 8) < 0.025);
     CHECK(worst < 0.05);
 }

@@ -7,9 +7,9 @@
 ///     distance = 2 P/(1 + sqrt(1 + 2 kappa P))
 ///
 /// w is the height, u and v are the place; a circle and a cylinder have no v. Of a cylinder u is across the axis, which
-/// has the direction phi in the plane of the map and the inclination psi, and w is perpendicular to both. With kappa = 0
-/// this is a plane, so that a shallow arc costs no digits. Gauss-Newton from a plane; of a cylinder from the axis of the
-/// least-squares quadratic surface.
+/// has the direction phi in the plane of the map and the inclination psi, and w is perpendicular to both. With kappa =
+/// 0 this is a plane, so that a shallow arc costs no digits. Gauss-Newton from a plane; of a cylinder from the axis of
+/// the least-squares quadratic surface.
 ///
 /// Reference   Pratt, Comput. Graph. 21 (1987) 145 (the parameters); ISO 12181-1:2011 (least-squares circle)
 /// Units       lengths in one unit of about the size of the patch
@@ -41,8 +41,8 @@ struct RoundSurface {
     /// Above 0 where it is convex from above.
     [[nodiscard]] double curvature() const { return terms[0]; }
 
-    /// Distance of the point (\p x, \p y, \p z), above 0 above the surface; its derivatives by the terms, and the sine of
-    /// the angle between its normal and the height.
+    /// Distance of the point (\p x, \p y, \p z), above 0 above the surface; its derivatives by the terms, and the sine
+    /// of the angle between its normal and the height.
     double distance(double x, double y, double z, Terms* derivatives = nullptr, double* sine = nullptr) const {
         const double kappa = terms[0], e = terms[1], b_u = terms[2];
         const bool ball = shape == RoundShape::sphere, rod = shape == RoundShape::cylinder;

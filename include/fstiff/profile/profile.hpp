@@ -273,8 +273,8 @@ template <Real T>
     return result;
 }
 
-/// Removes the least-squares circle of \p profile, whose heights become distances from it. Returns its radius [m], below 0
-/// where it is hollow; a \p radius above 0 is kept. \throws domain_error as math::fit_round().
+/// Removes the least-squares circle of \p profile, whose heights become distances from it. Returns its radius [m],
+/// below 0 where it is hollow; a \p radius above 0 is kept. \throws domain_error as math::fit_round().
 template <Real T>
 T remove_circle(Profile<T>& profile, std::type_identity_t<T> radius) {
     profile.validate(4);

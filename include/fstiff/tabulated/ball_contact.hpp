@@ -74,7 +74,8 @@ inline Eigen::MatrixXd compliance_of_rings(const Eigen::VectorXd& r, const Eigen
     return compliance;
 }
 
-/// The contact with \p rings of equal width up to \p reach. \throws domain_error where Newton's method does not converge.
+/// The contact with \p rings of equal width up to \p reach. \throws domain_error where Newton's method does not
+/// converge.
 template <Real T>
 [[nodiscard]] ContactOfBall<T> ball_of_rings(const ContactLaw<T>& law, double radius, double modulus, double load,
                                              double reach, Eigen::Index rings) {
@@ -104,7 +105,7 @@ template <Real T>
         system.topRightCorner(rings, 1).setConstant(-1);
         system.bottomLeftCorner(1, rings) = (area.array() * p.array()).matrix().transpose();
         system(rings, rings) = 0;
-        for (Eigen::Index i = 0; i <= rings; ++i) {  // rows of one size: heights beside a load
+        for (Eigen::Index i = 0; i <= rings; ++i) {  // rows of one size: heights, and a load
             const double size = system.row(i).cwiseAbs().maxCoeff();
             system.row(i) /= size, rest[i] /= size;
         }
@@ -138,9 +139,9 @@ template <Real T>
 
 }  // namespace detail
 
-/// The contact of a ball of the radius \p radius [m] (of two, 1/R = 1/R_1 + 1/R_2), pressed by \p load [N] on a rough face
-/// with the law \p law between half-spaces of the effective modulus \p modulus [Pa]: for a law of the roughness alone.
-/// \throws domain_error unless all are positive, and for a law that refuses a pressure.
+/// The contact of a ball of the radius \p radius [m] (of two, 1/R = 1/R_1 + 1/R_2), pressed by \p load [N] on a rough
+/// face with the law \p law between half-spaces of the effective modulus \p modulus [Pa]: for a law of the roughness
+/// alone. \throws domain_error unless all are positive, and for a law that refuses a pressure.
 template <Real T>
 [[nodiscard]] ContactOfBall<T> ball_on_rough_face(const ContactLaw<T>& law, std::type_identity_t<T> radius,
                                                   std::type_identity_t<T> modulus, std::type_identity_t<T> load) {

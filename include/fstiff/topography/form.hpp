@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Removal of the form of a map: its mean, a least-squares plane, quadratic or cubic surface, or a least-squares sphere or
-/// cylinder (math/round_fit.hpp), of which the distances stay.
+/// Removal of the form of a map: its mean, a least-squares plane, quadratic or cubic surface, sphere or cylinder.
 ///
 ///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
 ///
 /// The fit is over the points that exist and is repeated on its residual, so that an offset or a tilt far above the
-/// roughness costs no digits. A form that the points do not determine is refused.
+/// roughness costs no digits. A form that the points do not determine is refused. Heights over a sphere or a cylinder
+/// (math/round_fit.hpp) are distances from it.
 ///
 /// Units       heights [m]
 /// Valid       maps of at least 3 x 3 points, every height finite or NaN (missing; stays missing)
@@ -155,8 +155,8 @@ template <Real T>
     return result;
 }
 
-/// Removes the least-squares sphere or cylinder of \p map, whose heights become distances from it. Returns its radius [m],
-/// below 0 where it is hollow; a \p radius above 0 is kept. \throws domain_error as math::fit_round().
+/// Removes the least-squares sphere or cylinder of \p map, whose heights become distances from it. Returns its radius
+/// [m], below 0 where it is hollow; a \p radius above 0 is kept. \throws domain_error as math::fit_round().
 template <Real T>
 T remove_round_form(HeightMap<T>& map, MapForm form, std::type_identity_t<T> radius) {
     map.validate();
@@ -179,9 +179,9 @@ T remove_round_form(HeightMap<T>& map, MapForm form, std::type_identity_t<T> rad
 }
 
 /// \p map levelled, with the removed form. \p resolution [m] is the step in which the heights were printed or counted;
-/// 0 where it is not known; a \p radius [m] above 0 is that of the sphere or cylinder. \throws domain_error as remove_form(),
-/// remove_round_form(), and for a map that is constant, apart from rounding,
-/// after the removal of its form.
+/// 0 where it is not known; a \p radius [m] above 0 is that of the sphere or cylinder. \throws domain_error as
+/// remove_form(), remove_round_form(), and for a map that is constant, apart from rounding, after the removal of its
+/// form.
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0,
                                    std::type_identity_t<T> radius = 0) {

@@ -5,9 +5,9 @@
 ///
 ///     median                  z_j,i - median_i z_j,i
 ///     median_of_differences   z_j,i - sum_(k <= j) m_k,  m_j = median_i(z_j,i - z_j-1,i): for plateaus and pits
-///     offsets are seen        where mean m_j^2 > mean s_j^2/4, s_j = 1.4826 median_i |z_j,i - z_j-1,i - m_j|, four times
-///                             that across the lines, and m_j and m_j+1 correlate below -0.1: -1/2 for offsets of single
-///                             lines, above 0 for a lay that is resolved
+///     offsets are seen where  mean m_j^2 > mean s_j^2/4, s_j = 1.4826 median_i |z_j,i - z_j-1,i - m_j|, by four times
+///                             the ratio across the lines, and m_j and m_j+1 correlate below -0.1: -1/2 for offsets,
+///                             above 0 for a lay that is resolved
 ///
 /// Waves that all points of a line share are lost with the offsets, 1 to 2 % of the rms height of 256 isotropic lines.
 ///
@@ -100,7 +100,8 @@ template <Real T>
     return {};
 }
 
-/// Removes the offsets of the lines of \p map along \p axis. Returns the axis, and the rms step between lines before [m].
+/// Removes the offsets of the lines of \p map along \p axis. Returns the axis, and the rms step between lines before
+/// [m].
 template <Real T>
 std::pair<ScanAxis, T> align_lines(HeightMap<T>& map, LineAlignment method, ScanAxis axis) {
     const auto align = [&](auto&& heights) {
