@@ -56,6 +56,7 @@ FIELDS = {
     "loading_stiffness": "loading_stiffness_Pa_per_m", "tangential_stiffness": "tangential_stiffness_Pa_per_m",
     "loss_factor": "loss_factor", "reflection": "reflection", "shear_reflection": "shear_reflection",
     "thermal_conductance": "thermal_conductance_W_per_m2K", "electrical_conductance": "electrical_conductance_S_per_m2",
+    "thermal_resistance": "thermal_resistance_K_per_W", "resistance": "resistance_ohm",
     "real_area_fraction": "real_area_fraction", "contact_density": "contacts_per_m2", "law": "law",
 }  # fmt: skip
 
@@ -81,6 +82,8 @@ class Columns(Table["npt.NDArray[Any]"]):
         shear_reflection: Values  #: |R| of shear waves
         thermal_conductance: Values  #: [W/(m^2 K)]
         electrical_conductance: Values  #: [S/m^2]
+        thermal_resistance: Values  #: of spots and gap [K/W]
+        resistance: Values  #: electrical [ohm]
         real_area_fraction: Values  #: real area of contact over the nominal area
         contact_density: Values  #: number of contacts per nominal area [1/m^2]
         law: Any  #: the name of the law, at each point

@@ -112,7 +112,7 @@ Json answer_json(const Scene& scene, const Results& results) {
         }
         for (const scene::Column& column : curve.columns)
             if (column.quantity >= CurveQuantity::thermal_conductance &&
-                column.quantity <= CurveQuantity::electrical_conductance && !column.values.empty() &&
+                column.quantity <= CurveQuantity::electrical_resistance && !column.values.empty() &&
                 !std::isnan(column.values[i]))
                 row[column.key()] = column.values[i];
         if (reason.p_star) row["p_star"] = *reason.p_star;

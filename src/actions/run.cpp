@@ -264,7 +264,9 @@ std::string blocks(const Scene& scene, const Results& results) {
                                      shear_reflection,
                                      thermal_conductance,
                                      thermal_conductance_gap,
-                                     electrical_conductance};
+                                     electrical_conductance,
+                                     thermal_resistance,
+                                     electrical_resistance};
     if (!scene.needs_stiffness()) shown = {separation, approach, real_area, contacts};
     std::string text;
     for (const CurveQuantity quantity : shown) {

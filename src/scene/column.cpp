@@ -30,6 +30,12 @@ std::optional<Derived> derived_of(CurveQuantity quantity) {
     }
 }
 
+/// 1/((h + \p gap) \p area), of the conductance \p h of the spots.
+Estimate<double> resistance_of(const Estimate<double>& h, double gap, double area) {
+    const double resistance = 1 / ((h.value + gap) * area);
+    return {resistance, resistance * h.error / (h.value + gap)};
+}
+
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
 Estimate<double> estimate_of(const Column& column, const detail::Problem& problem, const detail::LawCurve& curve,
                              std::size_t i, const ContactState<double>& s) {
@@ -49,6 +55,15 @@ Estimate<double> estimate_of(const Column& column, const detail::Problem& proble
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
+        case thermal_resistance: {
+            const double gap =
+                problem.conduction.gap ? detail::conductance_of_gap(problem.conduction, s.separation.value) : 0;
+            return resistance_of(derived(Derived::thermal_conductance, problem, curve, i, s, detail::BandEnd::value),
+                                 gap, area);
+        }
+        case electrical_resistance:
+            return resistance_of(derived(Derived::electrical_conductance, problem, curve, i, s, detail::BandEnd::value),
+                                 0, area);
         case thermal_conductance_gap: return {detail::conductance_of_gap(problem.conduction, s.separation.value), 0};
         case real_area: return s.real_area_fraction;
         case contacts: return s.contact_density;
@@ -75,6 +90,9 @@ bool conducts_current(const Scene& scene) {
     return scene.conduction.electrical && is_given(scene, ".electrical_conductivity");
 }
 std::string_view unless(bool there, std::string_view what) { return there ? std::string_view() : what; }
+std::string_view lack_of_resistance(const Scene& scene, bool conducts, std::string_view conductivity) {
+    return scene.nominal_area ? unless(conducts, conductivity) : "contact.nominal_area or contact.washer";
+}
 
 }  // namespace
 
@@ -119,6 +137,18 @@ std::span<const CurveQuantityRow> curve_quantities() {
         {electrical_conductance, "electrical_conductance", "_S_per_m2", "S/m^2", "electrical h", Quantity::stiffness,
          rises, {12, "electrical_conductance", conducts_current, [](const Scene& scene) {
               return unless(scene.conduction.electrical.has_value(), "material.upper.electrical_conductivity");
+          }}},
+        {thermal_resistance, "thermal_resistance", "_K_per_W", "K/W", "thermal resistance", Quantity::stiffness, falls,
+         {14, "thermal_resistance", [](const Scene& scene) { return is_joint(scene) && conducts_heat(scene); },
+          [](const Scene& scene) {
+              return lack_of_resistance(scene, scene.conduction.thermal.has_value(),
+                                        "material.upper.thermal_conductivity");
+          }}},
+        {electrical_resistance, "resistance", "_ohm", "ohm", "resistance", Quantity::stiffness, falls,
+         {15, "resistance", [](const Scene& scene) { return is_joint(scene) && conducts_current(scene); },
+          [](const Scene& scene) {
+              return lack_of_resistance(scene, scene.conduction.electrical.has_value(),
+                                        "material.upper.electrical_conductivity");
           }}},
         {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, none,
          {3, "real_area", always}},

@@ -33,6 +33,8 @@ enum class CurveQuantity {
     thermal_conductance,
     thermal_conductance_gap,
     electrical_conductance,
+    thermal_resistance,
+    electrical_resistance,
     real_area,
     contacts
 };

@@ -40,6 +40,9 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
          "W/(m^2 K)", "h of the gap [W/(m² K)]"},
         {electrical_conductance, "electrical_conductance_S_per_m2", "electrical_conductance_p05_S_per_m2", "S/m^2",
          "electrical h [S/m²]"},
+        {thermal_resistance, "thermal_resistance_K_per_W", "thermal_resistance_p05_K_per_W", "K/W",
+         "thermal resistance [K/W]"},
+        {electrical_resistance, "resistance_ohm", "resistance_p05_ohm", "ohm", "resistance [ohm]"},
         {real_area, "real_area_fraction", "real_area_fraction_p05", "", "real area"},
         {contacts, "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
     REQUIRE(fstiff::scene::curve_quantities().size() == all.size());

@@ -118,4 +118,26 @@ TEST_CASE("Heat without a conductivity, and a gap that contradicts itself, are r
     CHECK(test::contains(refusal(surface + contact + "[gap]\nconductivity = \"1 S/m\"\n"), "W/(m K)"));
 }
 
+TEST_CASE("Resistances are one over the conductance of the nominal area, with its band, and need both") {
+    const std::string bodies =
+        "[material.upper]\nname = \"steel\"\nthermal_conductivity = \"40 W/(m K)\"\n"
+        "electrical_conductivity = \"7 MS/m\"\n[material.lower]\nname = \"aluminium\"\n";
+    const auto joint = results_of(surface + bodies + contact + "nominal_area = \"2 cm^2\"\n[gap]\nmedium = \"air\"\n");
+    const double area = 2e-4, gap = at(joint, thermal_conductance_gap);
+    using enum scene::Statistic;
+    for (const auto& [end, other] : {std::pair(value, value), std::pair(p05, p95), std::pair(p95, p05)}) {
+        CHECK(test::relative_error(at(joint, electrical_resistance, end) * area,
+                                   1 / at(joint, electrical_conductance, other)) < 1e-14);
+        CHECK(test::relative_error(at(joint, thermal_resistance, end) * area,
+                                   1 / (at(joint, thermal_conductance, other) + gap)) < 1e-14);
+    }
+    CHECK(joint.curves.front().value_at(1, electrical_resistance, error));
+    const auto asked = [&](const std::string& quantity, const std::string& more) {
+        return refusal(surface + "material.upper = \"steel\"\n" + contact + more + "[output]\nquantities = [\"" +
+                       quantity + "\"]\n");
+    };
+    CHECK(test::contains(asked("resistance", ""), "contact.nominal_area or contact.washer"));
+    CHECK(test::contains(asked("thermal_resistance", ""), "contact.nominal_area or contact.washer"));
+}
+
 }  // namespace conductance_scene_test
