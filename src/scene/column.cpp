@@ -90,8 +90,17 @@ bool conducts_current(const Scene& scene) {
     return scene.conduction.electrical && is_given(scene, ".electrical_conductivity");
 }
 std::string_view unless(bool there, std::string_view what) { return there ? std::string_view() : what; }
-std::string_view lack_of_resistance(const Scene& scene, bool conducts, std::string_view conductivity) {
-    return scene.nominal_area ? unless(conducts, conductivity) : "contact.nominal_area or contact.washer";
+bool resists_heat(const Scene& scene) { return is_joint(scene) && conducts_heat(scene); }
+bool resists_current(const Scene& scene) { return is_joint(scene) && conducts_current(scene); }
+constexpr std::string_view nominal_area = "contact.nominal_area or contact.washer";
+std::string_view lack_of_thermal_resistance(const Scene& scene) {
+    return scene.nominal_area ? unless(scene.conduction.thermal.has_value(), "material.upper.thermal_conductivity")
+                              : nominal_area;
+}
+std::string_view lack_of_electrical_resistance(const Scene& scene) {
+    return scene.nominal_area
+               ? unless(scene.conduction.electrical.has_value(), "material.upper.electrical_conductivity")
+               : nominal_area;
 }
 
 }  // namespace
@@ -112,7 +121,7 @@ std::span<const CurveQuantityRow> curve_quantities() {
          {1, "stiffness", always}},
         {joint_stiffness, "stiffness", "_N_per_m", "N/m", "K", Quantity::stiffness, rises,
          {9, "joint_stiffness", is_joint, [](const Scene& scene) {
-              return unless(scene.nominal_area.has_value(), "contact.nominal_area or contact.washer");
+              return unless(scene.nominal_area.has_value(), nominal_area);
           }}},
         {loading_stiffness, "loading_stiffness", "_Pa_per_m", "Pa/m", "-dp/dd", Quantity::loading_stiffness, none,
          {8, "loading_stiffness", never}},
@@ -139,17 +148,9 @@ std::span<const CurveQuantityRow> curve_quantities() {
               return unless(scene.conduction.electrical.has_value(), "material.upper.electrical_conductivity");
           }}},
         {thermal_resistance, "thermal_resistance", "_K_per_W", "K/W", "thermal resistance", Quantity::stiffness, falls,
-         {14, "thermal_resistance", [](const Scene& scene) { return is_joint(scene) && conducts_heat(scene); },
-          [](const Scene& scene) {
-              return lack_of_resistance(scene, scene.conduction.thermal.has_value(),
-                                        "material.upper.thermal_conductivity");
-          }}},
+         {14, "thermal_resistance", resists_heat, lack_of_thermal_resistance}},
         {electrical_resistance, "resistance", "_ohm", "ohm", "resistance", Quantity::stiffness, falls,
-         {15, "resistance", [](const Scene& scene) { return is_joint(scene) && conducts_current(scene); },
-          [](const Scene& scene) {
-              return lack_of_resistance(scene, scene.conduction.electrical.has_value(),
-                                        "material.upper.electrical_conductivity");
-          }}},
+         {15, "resistance", resists_current, lack_of_electrical_resistance}},
         {real_area, "real_area_fraction", "", "", "real area", Quantity::real_area_fraction, none,
          {3, "real_area", always}},
         {contacts, "contacts", "_per_m2", "1/m^2", "contacts", Quantity::contact_density, none,
