@@ -164,7 +164,7 @@ std::vector<int> numbers_of_list(const std::string& list, const std::string& nam
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
         if (error != std::errc() || end != text.data() + text.size() || read < 0 || read > most_columns)
             throw document::option_error(name + " = \"" + list + "\": must be whole numbers up to " +
-                               std::to_string(most_columns) + ", such as \"2-180\" or \"2,4,6-9\"");
+                                         std::to_string(most_columns) + ", such as \"2-180\" or \"2,4,6-9\"");
         return read;
     };
     for (const std::string& part : split_at_commas(list)) {
@@ -191,7 +191,7 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
     const SurfaceOptions& input = options.input;
     if (!input.columns.empty() && !input.channels.empty())
         throw document::option_error(input.name("columns") + " and " + input.name("channels") +
-                           " are both given; must be one of them");
+                                     " are both given; must be one of them");
     const std::string key = !input.columns.empty() ? "columns" : !input.channels.empty() ? "channels" : "";
     std::vector<FilePart> parts;
     for (const std::string& file : files) {

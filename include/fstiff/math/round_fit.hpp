@@ -54,7 +54,8 @@ struct RoundSurface {
         const double p = kappa / 2 * squares + b_u * u + b_v * v + c * w + e;
         const double root = std::sqrt((std::max)(0.0, 1 + 2 * kappa * p)), distance = 2 * p / (1 + root);
         if (derivatives) {
-            *derivatives << (squares - distance * distance) / 2 + w * e / c, 1 + w * kappa / c, u - w * b_u / c, v - w * b_v / c, 0;
+            *derivatives << (squares - distance * distance) / 2 + w * e / c, 1 + w * kappa / c, u - w * b_u / c,
+                v - w * b_v / c, 0;
             const double across = kappa * u + b_u, up = kappa * w + c;
             if (rod) derivatives->tail<2>() << -across * s - up * sin_psi * u, -up * (z * sin_psi + s * cos_psi);
             *derivatives /= root;
