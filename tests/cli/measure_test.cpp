@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <sstream>
 
 namespace measure_test {
@@ -160,14 +161,13 @@ TEST_CASE("Offsets of scan lines are named, removed where that is asked for, and
     const std::string map =
         test::run_fstiff("generate map --points 64 --spacing '20 nm' --hurst 0.8 --rms '1 nm' --longest '400 nm'").out;
     std::string shifted;
-    unsigned line = 0;
+    std::mt19937 random(1);
     for (const std::string& row : test::lines(map)) {
         if (row.starts_with('#')) {
             shifted += row + "\n";
             continue;
         }
-        const double offset = 3e-9 * ((line * 2654435761u >> 16) % 100 / 50.0 - 1);
-        ++line;
+        const double offset = 3e-9 * (std::ldexp(random(), -31) - 1);
         for (const std::string& cell : test::csv_cells(row))
             shifted += fstiff::detail::shortest_text(std::stod(cell) + offset) + " ";
         shifted += "\n";
