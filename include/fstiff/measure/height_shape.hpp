@@ -16,6 +16,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
@@ -238,9 +239,10 @@ public:
     /// n of all heights added.
     [[nodiscard]] T independent_points() const { return points_; }
     /// D^2; 0 for fewer than 16 heights, or for equal heights.
-    [[nodiscard]] T departure() const {
-        std::vector<T> z = heights_;
-        std::sort(z.begin(), z.end());
+    [[nodiscard]] T departure() {
+        std::vector<T>& z = heights_;
+        math::sort_falling<T>(z, [](T height) { return height; });
+        std::reverse(z.begin(), z.end());
         const auto count = static_cast<T>(z.size());
         T square = 0, product = 0, scores = 0;
         for (std::size_t from = 0, to = 0; from < z.size(); from = to) {
@@ -254,7 +256,7 @@ public:
         return (std::max)(T(0), 1 - 2 * product / (sigma * count) + scores / count);
     }
     /// Factor of skewness and of kurtosis - 3, from 0 to 1.
-    [[nodiscard]] T share() const {
+    [[nodiscard]] T share() {
         const T known = points_ * departure();
         return known > by_chance ? 1 - by_chance / known : T(0);
     }
@@ -279,6 +281,7 @@ private:
     /// Heights minus their own mean.
     void add_heights(std::span<const T> heights) {
         T mean = 0, present = 0;
+        heights_.reserve(heights_.size() + static_cast<std::size_t>(present));
         for (const T z : heights)
             if (!std::isnan(z)) mean += z, present += 1;
         for (const T z : heights)
@@ -286,7 +289,7 @@ private:
     }
 
     T points_ = 0;
-    std::vector<T> heights_;
+    std::vector<T> heights_;  // rising once departure() was asked for
 };
 
 }  // namespace fstiff::inline v0_1::detail
