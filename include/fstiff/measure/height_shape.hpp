@@ -205,12 +205,10 @@ template <Real T>
             3 + of_a * of_a * (a.kurtosis - 3) + of_b * of_b * (b.kurtosis - 3)};
 }
 
-/// Number n of independent heights of \p profile, at most its number of points.
-/// \throws domain_error as autocorrelation.
+/// Number n of independent heights of a profile with the autocorrelation \p acf, at most its number of points.
 template <Real T>
-[[nodiscard]] T independent_points(const Profile<T>& profile) {
-    const Autocorrelation<T> acf = autocorrelation(profile);
-    const auto points = static_cast<T>(profile.present());
+[[nodiscard]] T independent_points(const Autocorrelation<T>& acf) {
+    const auto points = static_cast<T>(acf.pairs.front());
     T lags = 1;
     for (std::size_t k = 1; k < acf.size(); ++k) {
         if (std::isnan(acf.value[k])) continue;
@@ -224,9 +222,9 @@ template <Real T>
 template <Real T = double>
 class ShapeOfHeights {
 public:
-    /// \throws domain_error as independent_points.
-    void add(const Profile<T>& profile) {
-        points_ += detail::independent_points(profile);
+    /// Adds \p profile with the autocorrelation \p acf.
+    void add(const Profile<T>& profile, const Autocorrelation<T>& acf) {
+        points_ += detail::independent_points(acf);
         add_heights(profile.heights);
     }
     /// \throws domain_error as HeightMap::validate.
@@ -274,16 +272,16 @@ private:
             const Heights z = line(k);
             Profile<T> profile{std::vector<T>(z.data(), z.data() + z.size()), T(1)};
             if (profile.present() < 16 || !(rms_height(profile) > 0)) continue;
-            sum += detail::independent_points(profile), lines += 1;
+            sum += detail::independent_points(autocorrelation(profile)), lines += 1;
         }
         return lines > 0 ? sum / lines : T(1);
     }
     /// Heights minus their own mean.
     void add_heights(std::span<const T> heights) {
         T mean = 0, present = 0;
-        heights_.reserve(heights_.size() + static_cast<std::size_t>(present));
         for (const T z : heights)
             if (!std::isnan(z)) mean += z, present += 1;
+        heights_.reserve(heights_.size() + static_cast<std::size_t>(present));
         for (const T z : heights)
             if (!std::isnan(z)) heights_.push_back(z - mean / present);
     }
