@@ -132,6 +132,7 @@ struct SceneSource {
     std::string
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
     ProgressHook progress{};                    ///< called while a surface is measured
+    ParallelHook parallel{};                    ///< of the measurement
     const MeasuredSurface* measured = nullptr;  ///< in place of a file of the surface, where it was measured already
     const Scene* surface_of =
         nullptr;  ///< not null: a scene with the very [surface] of this one, which is not read again

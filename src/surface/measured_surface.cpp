@@ -199,6 +199,7 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
     how.neighbour_dimensions = profile || options.neighbour_dimensions;
     how.keep_maps = options.keep_maps;
     how.progress = progress;
+    how.parallel = options.parallel;
     return how;
 }
 
@@ -207,7 +208,9 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     MeasuredSurface surface;
     surface.file = display_name(options.input.file);
     surface.sha256 = input.sha256;
-    surface.how = std::make_shared<const MeasureOptions>(options);
+    const auto how = std::make_shared<MeasureOptions>(options);
+    how->parallel = {};  // belongs to the work alone
+    surface.how = how;
     surface.kind = input.surface.is_profile() ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
     surface.warnings = surface.of_file = reading_warnings(input, "results that need them are left out");
