@@ -237,7 +237,8 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     if (!in_bands && points.empty()) points = sorted_points(map);
     if (in_bands) points = {};
     const std::vector<std::uint8_t> bands = in_bands ? level_bands(map, range, levels) : std::vector<std::uint8_t>();
-    IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height, in_bands);
+    IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height,
+                           in_bands ? bands.data() : nullptr);
     std::size_t above = 0;
     const auto raise_to = [&](std::size_t index) {  // the points above that level, and not above the one before
         if (in_bands) {
