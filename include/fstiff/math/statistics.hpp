@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// Order of heights by a radix sort of 11 bits a pass: half the time of std::sort for a million of them.
+// Order of heights by a radix sort of 11 bits a pass, in half the time of std::sort for a million of them, and sums.
 //
 // Reference   Knuth, The Art of Computer Programming 3, section 5.2.5
 // Valid       no NaN; -0 equals 0
@@ -52,6 +52,25 @@ void sort_falling(std::vector<Item>& items, const Height& height) {
         for (const Item& item : items) other[place[key(item) >> (pass * digit) & mask]++] = item;
         items.swap(other);
     }
+}
+
+/// Sums of \p term(i), i from \p from to below \p to, over runs that end at multiples of \p run, passed to \p take in
+/// their order. Each sum waits for its last addition, so that four runs are summed at once.
+template <class S, class Term, class Take>
+void sum_runs(std::size_t from, std::size_t to, std::size_t run, const Term& term, const Take& take) {
+    const auto one = [&](std::size_t end) {
+        S sum = 0;
+        for (; from < end; ++from) sum += term(from);
+        take(sum);
+    };
+    if (from < to && from % run != 0) one((std::min)(to, from + run - from % run));
+    for (; from + 4 * run <= to; from += 4 * run) {
+        S a = 0, b = 0, c = 0, d = 0;
+        for (std::size_t i = from; i < from + run; ++i)
+            a += term(i), b += term(i + run), c += term(i + 2 * run), d += term(i + 3 * run);
+        take(a), take(b), take(c), take(d);
+    }
+    while (from < to) one((std::min)(to, from + run));
 }
 
 }  // namespace fstiff::inline v0_1::math

@@ -100,7 +100,7 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
         };
         std::fill(totals.begin(), totals.end(), std::pair<T, T>());
         std::size_t c = n / cell;
-        sum_runs<T>(n, z.size() - n, cell, square, [&](T sum) {
+        math::sum_runs<T>(n, z.size() - n, cell, square, [&](T sum) {
             const std::size_t from = (std::max)(c * cell, n), end = (std::min)((c + 1) * cell, z.size() - n);
             auto triples = static_cast<T>(end - from);
             for (std::size_t i = from; !complete && i < end; ++i) triples -= std::isnan(difference(i)) ? T(1) : T(0);

@@ -15,6 +15,7 @@
 /// Accuracy    1e-13 in double for 2^16 points, offset up to 1e6 times the roughness
 ///             (tests/profile/structure_function_test.cpp, tests/profile/second_differences_test.cpp)
 
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 
 #include <optional>
@@ -89,25 +90,6 @@ T mean_square(double sum, double count, double scale) {
     return value;
 }
 
-/// Sums of \p term(i), i from \p from to below \p to, over runs that end at multiples of \p run, passed to \p take in
-/// their order. Each sum waits for its last addition, so that four runs are summed at once.
-template <class S, class Term, class Take>
-void sum_runs(std::size_t from, std::size_t to, std::size_t run, const Term& term, const Take& take) {
-    const auto one = [&](std::size_t end) {
-        S sum = 0;
-        for (; from < end; ++from) sum += term(from);
-        take(sum);
-    };
-    if (from % run != 0 && from < to) one((std::min)(to, from + run - from % run));
-    for (; from + 4 * run <= to; from += 4 * run) {
-        S a = 0, b = 0, c = 0, d = 0;
-        for (std::size_t i = from; i < from + run; ++i)
-            a += term(i), b += term(i + run), c += term(i + 2 * run), d += term(i + 3 * run);
-        take(a), take(b), take(c), take(d);
-    }
-    while (from < to) one((std::min)(to, from + run));
-}
-
 /// Mean squares of \p difference(i, n), of heights in units of \p scale, at the lags n, i from 0 to N - \p reach n.
 template <Real T, class Difference>
 StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std::size_t> lags, std::size_t reach,
@@ -129,7 +111,7 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
             --pairs;
             return 0.0;
         };
-        sum_runs<double>(0, points - reach * n, 512, square, [&](double part) { sum += part; });
+        math::sum_runs<double>(0, points - reach * n, 512, square, [&](double part) { sum += part; });
         const std::size_t count = divided_by(pairs, divisor);
         if (count == 0) continue;
         result.step.push_back(n);
