@@ -152,22 +152,17 @@ template <Real T, class FindParameters, class FindStatistics>
     return surface;
 }
 
-/// Options of the neighbours of a surface of \p step with \p cut_offs.
+/// \p options for a neighbour of a surface with \p cut_offs.
 template <Real T>
-[[nodiscard]] std::vector<MeasureOptions<T>> neighbour_options(const CutOffs<T>& cut_offs, MeasureOptions<T> options,
-                                                               T step) {
+[[nodiscard]] MeasureOptions<T> neighbour_options(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T lambda_s) {
     options.neighbours = false;
     options.resamples = 2;    // their errors are not used
     options.texture = false;  // their lay is that of the surface
     options.dimension = options.dimension && options.neighbour_dimensions;
     options.progress = {};
+    options.lambda_s = lambda_s;
     if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // fixed for all neighbours
-    std::vector<MeasureOptions<T>> neighbours;
-    for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step)) {
-        options.lambda_s = lambda_s;
-        neighbours.push_back(options);
-    }
-    return neighbours;
+    return options;
 }
 
 /// The surface of \p step and its neighbours; \p measure_one(options) measures one. Neighbours that cannot be measured
@@ -176,7 +171,9 @@ template <Real T, class MeasureOne>
 [[nodiscard]] Surface<T> with_neighbours(const CutOffs<T>& cut_offs, const MeasureOptions<T>& options, T step,
                                          const MeasureOne& measure_one) {
     std::vector<MeasureOptions<T>> pieces;
-    if (options.neighbours) pieces = neighbour_options(cut_offs, options, step);
+    if (options.neighbours)
+        for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step))
+            pieces.push_back(neighbour_options(cut_offs, options, lambda_s));
     const std::size_t last = pieces.size();  // the surface itself, whose results then occupy no memory before
     pieces.push_back(options);
     std::vector<std::optional<Surface<T>>> surfaces(pieces.size());
@@ -194,33 +191,24 @@ template <Real T, class MeasureOne>
     return surface;
 }
 
-/// What \p find() finds once for a surface and its neighbours; null where it cannot be found, and none of them has it.
-template <class Find>
-[[nodiscard]] auto found_once(bool wanted, const Find& find) -> std::shared_ptr<const decltype(find())> {
-    if (wanted) try {
-            return std::make_shared<const decltype(find())>(find());
-        } catch (const domain_error&) {  // each of them gives the reason
-        }
-    return {};
-}
-
 /// \p profile after the cleaning. Its structure function is that before lambda_s and lambda_c.
 template <Real T>
 [[nodiscard]] Surface<T> measure_profile(const Profile<T>& profile, const MeasureOptions<T>& options) {
     const CutOffs<T> cut_offs = choose_cut_offs(profile, options);
-    const auto structure = found_once(options.dimension && options.neighbours, [&] {
-        const auto flat = level(profile, options.form, options.form_cut_off, options.height_step);
-        return profile_structure(flat.profile, parameter_options(options, cut_offs).fit);
-    });
+    std::optional<MeasuredStructureFunction<T>> structure;  // none: each surface has the reason
+    if (options.dimension && options.neighbours)
+        (void)fit_or_reason(structure, [&] {
+            const auto flat = level(profile, options.form, options.form_cut_off, options.height_step);
+            return profile_structure(flat.profile, parameter_options(options, cut_offs).fit);
+        });
     return with_neighbours(cut_offs, options, profile.spacing, [&](const MeasureOptions<T>& chosen) {
         const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, chosen));
         const Profile<T>& flat = prepared->profile;
         const Autocorrelation<T> acf = autocorrelation(flat);
         const auto parameters = [&] {
             auto how = parameter_options(chosen, *prepared, int(chosen.form) - 1);
-            how.structure = structure;
+            how.structure = structure ? &*structure : nullptr, how.autocorrelation = &acf;
             auto result = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared), how);
-            result.repetition = repetition(acf);
             if (chosen.texture && chosen.form > Form::mean)
                 result.plain_form = detail::plain_form(flat, static_cast<int>(chosen.form) - 1);
             return result;
@@ -238,7 +226,7 @@ template <Real T>
 /// A map without its form after the cleaning, with the cut-offs of \p options; \p sections are those before them.
 template <Real T>
 [[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options,
-                                     const std::shared_ptr<const SectionStructures<T>>& sections) {
+                                     const SectionStructures<T>* sections) {
     const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
     const int degree = int(options.map_form), terms = degree * (degree + 3) / 2;
     const HeightMap<T>& flat = prepared->map;
@@ -265,11 +253,13 @@ template <Real T>
 [[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options) {
     const HeightMap<T>& map = *without_form.unfiltered;
     const CutOffs<T> cut_offs = choose_cut_offs(map, options);
-    const auto sections = found_once(options.dimension, [&] {
-        return section_structures(map, parameter_options(options, cut_offs).fit, options.parallel);
-    });
+    std::optional<SectionStructures<T>> sections;  // none: each surface has the reason
+    if (options.dimension)
+        (void)fit_or_reason(sections, [&] {
+            return section_structures(map, parameter_options(options, cut_offs).fit, options.parallel);
+        });
     return with_neighbours(cut_offs, options, (std::max)(map.dx, map.dy), [&](const MeasureOptions<T>& chosen) {
-        return measure_map(without_form, chosen, sections);
+        return measure_map(without_form, chosen, sections ? &*sections : nullptr);
     });
 }
 

@@ -54,9 +54,10 @@ struct SurfaceParameterOptions {
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
-    /// Of the profile, or of the map, before its filters, where they are known.
-    std::shared_ptr<const MeasuredStructureFunction<T>> structure{};
-    std::shared_ptr<const SectionStructures<T>> sections{};
+    /// Of the profile, of it before its filters, and of the map before its filters, where they are known.
+    const Autocorrelation<T>* autocorrelation = nullptr;
+    const MeasuredStructureFunction<T>* structure = nullptr;
+    const SectionStructures<T>* sections = nullptr;
 };
 
 /// Parameters of a surface after removal of its form, or of a surface as it is.
@@ -221,6 +222,8 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
                                    [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, estimate, waves);
+    result.repetition =
+        detail::repetition(options.autocorrelation ? *options.autocorrelation : autocorrelation(profile));
     store_sums(result, estimate, spread, unit, step, step);
     if (total.triples.peaks == 0) result.why_no_density = "no peak";
     require_numbers(result);

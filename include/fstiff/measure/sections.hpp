@@ -96,7 +96,9 @@ template <Real T>
                                                const FractalFitOptions<T>& options);
 /// Same as above of \p map.
 template <Real T>
-[[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
+[[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {}) {
+    return fit_directions(section_structures(map, options), options);
+}
 /// \p options for \p levelled: lags above lambda_c are not roughness.
 template <Real T>
 [[nodiscard]] FractalFitOptions<T> fit_options(const LevelledMap<T>& levelled, FractalFitOptions<T> options) {
@@ -311,11 +313,6 @@ SectionStructures<T> section_structures(const HeightMap<T>& map, const FractalFi
         (i == 0 ? sections.x : sections.y) = section_structure(map, i == 0 ? Direction::x : Direction::y, resampling);
     });
     return sections;
-}
-
-template <Real T>
-DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options) {
-    return fit_directions(section_structures(map, options), options);
 }
 
 template <Real T>
