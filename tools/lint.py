@@ -32,7 +32,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, of the comment that opens a header, and of folders.
 FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
-TOTALS = {"include": 31288, "src without io": 17917, "tools": 3562}
+TOTALS = {"include": 31438, "src without io": 17937, "tools": 3562}
 
 
 def read(path):

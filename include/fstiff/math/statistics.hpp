@@ -40,10 +40,8 @@ void sort_falling(std::vector<Item>& items, const Height& height) {
         return (bits & sign) != 0 ? bits : ~(bits | sign);
     };
     std::vector<std::array<std::size_t, std::size_t(mask) + 1>> start(passes);
-    for (const Item& item : items) {
-        const Bits bits = key(item);
-        for (int pass = 0; pass < passes; ++pass) ++start[std::size_t(pass)][bits >> (pass * digit) & mask];
-    }
+    for (const Item& item : items)
+        for (int pass = 0; pass < passes; ++pass) ++start[std::size_t(pass)][key(item) >> (pass * digit) & mask];
     std::vector<Item> other(items.size());
     for (int pass = 0; pass < passes; ++pass) {
         auto& place = start[std::size_t(pass)];

@@ -82,8 +82,7 @@ struct SectionStructures {
     T side{};  ///< the shorter one [m]
 };
 
-/// \throws domain_error for a map or an option out of range; the resamples, the seed and the progress of \p options are
-/// those of the rows. \p parallel runs the two directions.
+/// Resamples, seed and progress of \p options are those of the rows. \throws domain_error for a map out of range.
 template <Real T>
 [[nodiscard]] SectionStructures<T> section_structures(const HeightMap<T>& map, const FractalFitOptions<T>& options,
                                                       const ParallelHook& parallel = {});
