@@ -117,6 +117,7 @@ Measured read_from(Source& source, const Section& surface, const ProgressHook& p
     const toml::node& from = surface.at("from");
     surface::MeasureOptions options;
     options.neighbours = source.has_band;
+    options.parallel = source.parallel;
     const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     bool defaults = true;
     for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
@@ -313,6 +314,7 @@ void read_file_of_surface(Source& source, const std::string& file, Scene& scene,
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
     options.neighbours = source.has_band;
+    options.parallel = source.parallel;
     options.neighbour_dimensions = source.needs_dimension_of_maps;
     Measured measured;
     try {

@@ -180,6 +180,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     const std::string &file = from.name, &surface = from.surface;
     Source source{
         {file}, builtin, root["uncertainty"]["samples"].value<std::int64_t>() != 0, needs_dimension_of_maps(root)};
+    source.parallel = from.parallel;
     source.in_si = from.in_si;
     Scene scene;
     scene.file = file;

@@ -25,6 +25,7 @@ struct Source : request::Source {
     bool has_band = true;                 ///< asked for: a measured surface needs its neighbours
     bool needs_dimension_of_maps = true;  ///< some law takes D of a map, or a band of its numbers, for which H is
     std::vector<std::string> files{};     ///< that it names
+    ParallelHook parallel{};              ///< of the measurement of a surface
 };
 
 /// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.

@@ -133,6 +133,7 @@ struct SceneSource {
     std::string
         surface{};  ///< not empty: file of the surface, in place of [surface] and contact.peaks; "-" is standard input
     ProgressHook progress{};  ///< called while a surface is measured
+    ParallelHook parallel{};  ///< of the measurement
     const surface::MeasuredSurface* measured =
         nullptr;  ///< in place of a file of the surface, where it was measured already
     const Scene* surface_of =

@@ -224,6 +224,7 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
     measuring.neighbour_dimensions = profile || options.neighbour_dimensions;
     measuring.keep_maps = options.keep_maps;
     measuring.progress = progress;
+    measuring.parallel = options.parallel;
     return measuring;
 }
 
@@ -232,7 +233,9 @@ MeasuredSurface surface_as_read(const MeasureOptions& options, const SurfaceInpu
     MeasuredSurface surface;
     surface.file = document::display_name(options.input.file);
     surface.sha256 = input.sha256;
-    surface.how = std::make_shared<const MeasureOptions>(options);
+    const auto how = std::make_shared<MeasureOptions>(options);
+    how->parallel = {};  // belongs to the work alone
+    surface.how = how;
     surface.kind = input.surface.is_profile() ? "profile" : "map";
     surface.decisions = input.surface.record.sentences();
     surface.warnings = surface.of_file = reading_warnings(input, "results that need them are left out");

@@ -23,6 +23,7 @@ struct MeasureOptions {
     bool neighbours = true;            ///< measures with a smaller and a greater lambda_s too
     bool neighbour_dimensions = true;  ///< finds D of these, of maps
     bool keep_maps = true;             ///< of the neighbours, with what a face takes of them
+    ParallelHook parallel{};           ///< of the measurement
 
     template <class Take>
     void each_field(Take take) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quantiles by hand; resamples against the variance of a mean of blocks.
+// Order against std::stable_sort; quantiles by hand; resamples against the variance of a mean of blocks.
 #include <fstiff/math/statistics.hpp>
 
 #include "support/accuracy.hpp"
@@ -7,11 +7,37 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
 
 namespace statistics_test {
 
 using namespace fstiff;
+
+TEMPLATE_TEST_CASE("Heights fall, with equal ones in their order", "[math]", float, double) {
+    using T = TestType;
+    using Limits = std::numeric_limits<T>;
+    std::mt19937_64 random(5);
+    std::normal_distribution<T> height;
+    std::vector<std::pair<T, int>> items;
+    const auto add = [&](T z) { items.emplace_back(z, static_cast<int>(items.size())); };
+    for (int k = 0; k < 5000; ++k) add(std::ldexp(height(random), k % 60 - 40)), add(std::round(height(random)));
+    for (const T z : {T(0), -T(0), Limits::denorm_min(), -Limits::denorm_min(), (Limits::max)(), Limits::lowest(),
+                      Limits::infinity(), -Limits::infinity(), T(0), -T(0)})
+        add(z);
+    auto expected = items;
+    std::stable_sort(expected.begin(), expected.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    math::sort_falling<T>(items, [](const auto& item) { return item.first; });
+    CHECK(items == expected);
+    std::vector<T> none;
+    math::sort_falling<T>(none, [](T z) { return z; });
+    CHECK(none.empty());
+}
 
 TEST_CASE("The quantile of sorted values is linear between neighbours") {
     const std::vector<double> values{1, 2, 4, 8, 16};

@@ -23,9 +23,13 @@ std::vector<double> white(std::size_t count, std::uint64_t seed) {
     return z;
 }
 
+void add(detail::ShapeOfHeights<double>& shape, const Profile<double>& profile) {
+    shape.add(profile, autocorrelation(profile));
+}
+
 double share_of(std::vector<double> heights) {
     detail::ShapeOfHeights<double> shape;
-    shape.add(Profile<double>{std::move(heights), 1.0});
+    add(shape, {std::move(heights), 1.0});
     return shape.share();
 }
 
@@ -41,7 +45,8 @@ TEST_CASE("Independent heights are as many as there are, and those of a moving m
         // A is a triangle: 1 + 2 sum (1 - k/w)^2 = (2 w^2 + 1)/(3 w)
         const double w = static_cast<double>(width), lags = (2 * w * w + 1) / (3 * w);
         const Profile<double> profile{smooth, 1.0};
-        const double found = detail::independent_points(profile), points = static_cast<double>(smooth.size());
+        const double found = detail::independent_points(autocorrelation(profile)),
+                     points = static_cast<double>(smooth.size());
         // chance adds to the sum of squares: 2 sum_k Var A(k) (1 - k/N)^2 over half the length, with Var A = lags/N
         const double chance = 2 * lags * (7.0 / 24);
         CAPTURE(width, found, points / lags);
@@ -54,7 +59,7 @@ TEST_CASE("The departure of heights from Gaussian ones is that of plain sums") {
     for (double& one : z) one = std::exp(0.5 * one);
     z[5] = z[9] = std::numeric_limits<double>::quiet_NaN();
     detail::ShapeOfHeights<double> shape;
-    shape.add(Profile<double>{z, 1.0});
+    add(shape, {z, 1.0});
     std::vector<double> present;
     for (const double one : z)
         if (!std::isnan(one)) present.push_back(one);
@@ -71,7 +76,7 @@ TEST_CASE("The departure of heights from Gaussian ones is that of plain sums") {
     detail::ShapeOfHeights<double> many;
     std::vector<double> lognormal = white(200000, 3);
     for (double& one : lognormal) one = std::exp(0.3 * one);
-    many.add(Profile<double>{lognormal, 1.0});
+    add(many, {lognormal, 1.0});
     CHECK(test::relative_error(many.departure(), 2 - 2 * 0.3 / std::sqrt(std::expm1(0.09))) < 0.03);
 }
 
@@ -114,8 +119,8 @@ TEST_CASE("Maps and several traces are one surface") {
     double points = 0;
     for (const Eigen::Index j : {0, 48, 96, 144}) {
         const Profile<double> row{std::vector<double>(map.heights.row(j).begin(), map.heights.row(j).end()), map.dx};
-        rows.add(row);
-        points += detail::independent_points(row);
+        add(rows, row);
+        points += detail::independent_points(autocorrelation(row));
     }
     CHECK(test::relative_error(rows.independent_points(), points) < 1e-12);
     CHECK(rows.share() < skewed.share());

@@ -42,20 +42,20 @@ TEST_CASE("A profile across grooves repeats itself with their period, whatever t
         Profile<double> profile = self_affine_profile(rough(0.8, 40e-6, 3), 4096, 1e-6);
         for (std::size_t i = 0; i < profile.size(); ++i)
             profile.heights[i] = 0.5 * profile.heights[i] + groove(double(i) * 1e-6, period, 1e-7);
-        const Repetition<double> found = detail::repetition(profile);
+        const Repetition<double> found = detail::repetition(autocorrelation(profile));
         CHECK(found.is_lay());
         const double periods = found.period / period;  // one of them, or the next, which chance may have made higher
         CHECK(std::abs(periods - std::round(periods)) < 0.05);
         for (double& z : profile.heights) z *= 1e6;
         profile.spacing *= 1e6;
-        CHECK(std::abs(detail::repetition(profile).correlation - found.correlation) < 1e-12);
+        CHECK(std::abs(detail::repetition(autocorrelation(profile)).correlation - found.correlation) < 1e-12);
     }
 }
 
 TEST_CASE("A cosine repeats itself to 1 less the pairs missing in the last quarter") {
     Profile<double> wave{{}, 1e-6};
     for (int i = 0; i < 4096; ++i) wave.heights.push_back(std::cos(2 * std::numbers::pi_v<double> * i / 64));
-    const Repetition<double> found = detail::repetition(wave);
+    const Repetition<double> found = detail::repetition(autocorrelation(wave));
     CHECK(std::abs(found.correlation - (1 - 64.0 / 4096)) < 1e-12);
     CHECK(std::abs(found.period - 64e-6) < 1e-18);
 }
@@ -66,7 +66,10 @@ TEST_CASE("At most 4 of 400 profiles without a lay repeat themselves") {
         for (const double longest : {2048e-6, 512e-6, 128e-6, 32e-6})
             for (std::uint64_t seed = 1; seed <= 25; ++seed)
                 said +=
-                    detail::repetition(self_affine_profile(rough(hurst, longest, seed), 2048, 1e-6)).is_lay() ? 1 : 0;
+                    detail::repetition(autocorrelation(self_affine_profile(rough(hurst, longest, seed), 2048, 1e-6)))
+                            .is_lay()
+                        ? 1
+                        : 0;
     CHECK(said <= 4);
 }
 

@@ -7,6 +7,8 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace measure_test {
 
@@ -146,6 +148,43 @@ TEST_CASE("Omitted parts leave all others unchanged") {
     CHECK_FALSE(flat.fractal_dimension);
     CHECK(flat.peak_radius.value == measure(trace(), {.neighbours = false}).peak_radius.value);
     CHECK(measure(map, {.texture = false, .neighbours = false}).texture_aspect_ratio == 1);
+}
+
+TEST_CASE("A surface measured on two threads has the digits of one thread, and reports to none") {
+    std::atomic<int> pieces = 0;
+    const ParallelHook on_two_threads = [&](std::size_t count, const Piece& run) {
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i = next++; i < count; i = next++) ++pieces, run(i);
+        };
+        std::thread other(work);
+        work();
+        other.join();
+    };
+    const auto never = [](std::string_view, std::size_t, std::size_t) { throw domain_error("called"); };
+    const auto check = [&](const auto& heights, int parts) {
+        const Surface<double> one = measure(heights);
+        pieces = 0;
+        const Surface<double> two = measure(heights, {.progress = never, .parallel = on_two_threads});
+        CHECK(pieces == parts);
+        const auto same = [](const Surface<double>& a, const Surface<double>& b) {
+            require_equal(a, b, true);
+            CHECK(a.concerns == b.concerns);
+            CHECK(a.shape_share == b.shape_share);
+            CHECK(a.heights->kurtosis.value == b.heights->kurtosis.value);
+            CHECK(a.repetition.correlation == b.repetition.correlation);
+            CHECK(a.texture_aspect_ratio == b.texture_aspect_ratio);
+            CHECK(a.long_end.hurst == b.long_end.hurst);
+        };
+        same(two, one);
+        REQUIRE(two.neighbours.size() == 2);
+        for (std::size_t k = 0; k < 2; ++k) same(two.neighbours[k], one.neighbours[k]);
+    };
+    check(trace(), 3 + 3 * 2);
+    check(some_map(), 2 + 3 + 3 * 2);  // the sections along x and y are measured once
+    CHECK(test::refusal([&] {
+              (void)measure(trace(), {.resamples = 1, .parallel = on_two_threads});
+          }).find("resamples") == 0);
 }
 
 TEST_CASE("Concerns are reported each with its cause") {

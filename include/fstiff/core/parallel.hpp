@@ -25,7 +25,7 @@ using ProgressHook = std::function<void(std::string_view part, std::size_t done,
 /// One piece of work by its index. It does not throw.
 using Piece = std::function<void(std::size_t index)>;
 /// Calls the piece once with every index below \p count, in any order and from any threads, and returns when all have
-/// returned. Empty: one after the other.
+/// returned; a piece may call it with pieces of its own. Empty: one after the other.
 using ParallelHook = std::function<void(std::size_t count, const Piece& run)>;
 
 namespace detail {

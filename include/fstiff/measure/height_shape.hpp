@@ -16,6 +16,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
@@ -204,12 +205,10 @@ template <Real T>
             3 + of_a * of_a * (a.kurtosis - 3) + of_b * of_b * (b.kurtosis - 3)};
 }
 
-/// Number n of independent heights of \p profile, at most its number of points.
-/// \throws domain_error as autocorrelation.
+/// Number n of independent heights of a profile with the autocorrelation \p acf, at most its number of points.
 template <Real T>
-[[nodiscard]] T independent_points(const Profile<T>& profile) {
-    const Autocorrelation<T> acf = autocorrelation(profile);
-    const auto points = static_cast<T>(profile.present());
+[[nodiscard]] T independent_points(const Autocorrelation<T>& acf) {
+    const auto points = static_cast<T>(acf.pairs.front());
     T lags = 1;
     for (std::size_t k = 1; k < acf.size(); ++k) {
         if (std::isnan(acf.value[k])) continue;
@@ -223,9 +222,9 @@ template <Real T>
 template <Real T = double>
 class ShapeOfHeights {
 public:
-    /// \throws domain_error as independent_points.
-    void add(const Profile<T>& profile) {
-        points_ += detail::independent_points(profile);
+    /// Adds \p profile with the autocorrelation \p acf.
+    void add(const Profile<T>& profile, const Autocorrelation<T>& acf) {
+        points_ += detail::independent_points(acf);
         add_heights(profile.heights);
     }
     /// \throws domain_error as HeightMap::validate.
@@ -238,9 +237,10 @@ public:
     /// n of all heights added.
     [[nodiscard]] T independent_points() const { return points_; }
     /// D^2; 0 for fewer than 16 heights, or for equal heights.
-    [[nodiscard]] T departure() const {
-        std::vector<T> z = heights_;
-        std::sort(z.begin(), z.end());
+    [[nodiscard]] T departure() {
+        std::vector<T>& z = heights_;
+        math::sort_falling<T>(z, [](T height) { return height; });
+        std::reverse(z.begin(), z.end());
         const auto count = static_cast<T>(z.size());
         T square = 0, product = 0, scores = 0;
         for (std::size_t from = 0, to = 0; from < z.size(); from = to) {
@@ -254,7 +254,7 @@ public:
         return (std::max)(T(0), 1 - 2 * product / (sigma * count) + scores / count);
     }
     /// Factor of skewness and of kurtosis - 3, from 0 to 1.
-    [[nodiscard]] T share() const {
+    [[nodiscard]] T share() {
         const T known = points_ * departure();
         return known > by_chance ? 1 - by_chance / known : T(0);
     }
@@ -272,7 +272,7 @@ private:
             const Heights z = line(k);
             Profile<T> profile{std::vector<T>(z.data(), z.data() + z.size()), T(1)};
             if (profile.present() < 16 || !(rms_height(profile) > 0)) continue;
-            sum += detail::independent_points(profile), lines += 1;
+            sum += detail::independent_points(autocorrelation(profile)), lines += 1;
         }
         return lines > 0 ? sum / lines : T(1);
     }
@@ -281,12 +281,13 @@ private:
         T mean = 0, present = 0;
         for (const T z : heights)
             if (!std::isnan(z)) mean += z, present += 1;
+        heights_.reserve(heights_.size() + static_cast<std::size_t>(present));
         for (const T z : heights)
             if (!std::isnan(z)) heights_.push_back(z - mean / present);
     }
 
     T points_ = 0;
-    std::vector<T> heights_;
+    std::vector<T> heights_;  // rising once departure() was asked for
 };
 
 }  // namespace fstiff::inline v0_1::detail

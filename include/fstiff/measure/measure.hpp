@@ -97,7 +97,7 @@ template <Real T>
     result.fit.lambda_s = cut_offs.lambda_s.value_or(T(0));
     result.fit.seed = result.seed = options.seed;
     result.resamples = options.resamples;
-    result.progress = result.fit.progress = result.islands.progress = options.progress;
+    if (!options.parallel) result.progress = result.fit.progress = result.islands.progress = options.progress;
     result.peaks = options.peaks;
     result.texture = options.texture;
     result.dimension = options.dimension;
@@ -124,98 +124,146 @@ template <Real T>
     return widest > T(1) ? widest : std::numeric_limits<T>::infinity();
 }
 
-/// Surface from \p parameters, with the statistics of \p heights and the concerns of both.
-template <Real T, class Heights>
-[[nodiscard]] Surface<T> surface_of(SurfaceParameters<T> parameters, const Heights& heights, const CutOffs<T>& cut_offs,
-                                    T rms_gradient) {
-    Surface<T> surface{std::move(parameters)};
-    surface.cut_offs = cut_offs;
-    if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are excluded by the user
-    surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
-    surface.rms_gradient.value = rms_gradient;
+/// Adds the statistics of \p heights; \p acf, if any, is the autocorrelation of a profile.
+template <Real T, class Heights, class... Acf>
+void add_statistics(Surface<T>& surface, const Heights& heights, const Acf&... acf) {
     try {
         surface.heights = height_statistics(heights);
         surface.rms_gradient = surface.heights->rms_gradient;
         ShapeOfHeights<T> shape;
-        shape.add(heights);
+        shape.add(heights, acf...);
         surface.shape_share = shape.share();
     } catch (const domain_error&) {  // too few points for a distribution; R and D_p may exist
     }
+}
+
+/// Surface with what \p find_parameters() and \p find_statistics(surface) find, and the concerns of both.
+template <Real T, class FindParameters, class FindStatistics>
+[[nodiscard]] Surface<T> surface_of(const CutOffs<T>& cut_offs, T rms_gradient, const ParallelHook& parallel,
+                                    const FindParameters& find_parameters, const FindStatistics& find_statistics) {
+    Surface<T> surface;
+    SurfaceParameters<T> parameters;
+    surface.rms_gradient.value = rms_gradient;
+    run_pieces(parallel, 2,
+               [&](std::size_t i) { i == 0 ? void(parameters = find_parameters()) : find_statistics(surface); });
+    static_cast<SurfaceParameters<T>&>(surface) = std::move(parameters);
+    surface.cut_offs = cut_offs;
+    if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are excluded by the user
+    surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
     return surface;
 }
 
-/// Neighbours of a surface of \p step with \p cut_offs; \p measure_one(options) measures one. Neighbours that cannot be
-/// measured are left out: the cut-off is too long for the surface, or leaves too few peaks.
-template <Real T, class MeasureOne>
-[[nodiscard]] std::vector<Surface<T>> measured_neighbours(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T step,
-                                                          const MeasureOne& measure_one) {
+/// \p options for a neighbour of a surface with \p cut_offs.
+template <Real T>
+[[nodiscard]] MeasureOptions<T> neighbour_options(const CutOffs<T>& cut_offs, MeasureOptions<T> options, T lambda_s) {
     options.neighbours = false;
     options.resamples = 2;    // their errors are not used
     options.texture = false;  // their lay is that of the surface
     options.dimension = options.dimension && options.neighbour_dimensions;
     options.progress = {};
+    options.lambda_s = lambda_s;
     if (!options.form_cut_off) options.lambda_c = CutOff<T>::of(cut_offs.lambda_c);  // fixed for all neighbours
-    std::vector<Surface<T>> surfaces;
-    for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step)) {
-        options.lambda_s = lambda_s;
-        try {
-            surfaces.push_back(measure_one(options));
-            if (!options.keep_maps) surfaces.back().map.reset();
-        } catch (const domain_error&) {
-        }
-    }
-    return surfaces;
+    return options;
 }
 
-/// \p profile after the cleaning.
-template <Real T>
-[[nodiscard]] Surface<T> measure_profile(const Profile<T>& profile, const MeasureOptions<T>& options) {
-    const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, options));
-    const Profile<T>& flat = prepared->profile;
-    const int degree = static_cast<int>(coefficients(options.form)) - 1;
-    SurfaceParameters<T> parameters = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared),
-                                                            parameter_options(options, *prepared, degree));
-    if (options.texture && options.form > Form::mean) parameters.plain_form = detail::plain_form(flat, degree);
-    Surface<T> surface = surface_of(std::move(parameters), flat, prepared->cut_offs, prepared->rms_gradient);
-    surface.profile = prepared;
-    surface.is_profile = true;
-    surface.size = static_cast<T>(flat.present()) * flat.spacing;
-    surface.widest_band = widest_band(static_cast<T>(flat.size()) * flat.spacing, flat.spacing, surface.cut_offs);
+/// The surface of \p step and its neighbours; \p measure_one(options) measures one. Neighbours that cannot be measured
+/// are left out: the cut-off is too long for the surface, or leaves too few peaks.
+template <Real T, class MeasureOne>
+[[nodiscard]] Surface<T> with_neighbours(const CutOffs<T>& cut_offs, const MeasureOptions<T>& options, T step,
+                                         const MeasureOne& measure_one) {
+    std::vector<MeasureOptions<T>> pieces;
     if (options.neighbours)
-        surface.neighbours =
-            measured_neighbours(surface.cut_offs, options, flat.spacing,
-                                [&](const MeasureOptions<T>& other) { return measure_profile(profile, other); });
+        for (const T lambda_s : neighbouring_lambda_s(cut_offs.lambda_s, step))
+            pieces.push_back(neighbour_options(cut_offs, options, lambda_s));
+    const std::size_t last = pieces.size();  // the surface itself, whose results then occupy no memory before
+    pieces.push_back(options);
+    std::vector<std::optional<Surface<T>>> surfaces(pieces.size());
+    run_pieces(options.parallel, pieces.size(), [&](std::size_t i) {
+        try {
+            surfaces[i] = measure_one(pieces[i]);
+            if (i < last && !options.keep_maps) surfaces[i]->map.reset();
+        } catch (const domain_error&) {
+            if (i == last) throw;
+        }
+    });
+    Surface<T> surface = *std::move(surfaces.back());
+    for (std::size_t i = 0; i < last; ++i)
+        if (surfaces[i]) surface.neighbours.push_back(*std::move(surfaces[i]));
     return surface;
 }
 
-/// A map without its form after the cleaning. The neighbours come first, because the results for the map itself then
-/// occupy no memory.
+/// \p profile after the cleaning. Its structure function is that before lambda_s and lambda_c.
 template <Real T>
-[[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options) {
-    std::vector<Surface<T>> neighbours;
-    const HeightMap<T>& steps = *without_form.unfiltered;
-    if (options.neighbours)
-        neighbours =
-            measured_neighbours(choose_cut_offs(steps, options), options, (std::max)(steps.dx, steps.dy),
-                                [&](const MeasureOptions<T>& other) { return measure_map(without_form, other); });
+[[nodiscard]] Surface<T> measure_profile(const Profile<T>& profile, const MeasureOptions<T>& options) {
+    const CutOffs<T> cut_offs = choose_cut_offs(profile, options);
+    std::optional<MeasuredStructureFunction<T>> structure;  // none: each surface has the reason
+    if (options.dimension && options.neighbours)
+        (void)fit_or_reason(structure, [&] {
+            const auto flat =
+                level(profile, options.form, options.form_cut_off, options.height_step, {}, options.form_radius);
+            return profile_structure(flat.profile, parameter_options(options, cut_offs).fit);
+        });
+    return with_neighbours(cut_offs, options, profile.spacing, [&](const MeasureOptions<T>& chosen) {
+        const auto prepared = std::make_shared<const PreparedProfile<T>>(prepare(profile, chosen));
+        const Profile<T>& flat = prepared->profile;
+        const Autocorrelation<T> acf = autocorrelation(flat);
+        const auto parameters = [&] {
+            const int degree = static_cast<int>(coefficients(chosen.form)) - 1;
+            auto how = parameter_options(chosen, *prepared, degree);
+            how.structure = structure ? &*structure : nullptr, how.autocorrelation = &acf;
+            auto result = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared), how);
+            if (chosen.texture && chosen.form > Form::mean) result.plain_form = detail::plain_form(flat, degree);
+            return result;
+        };
+        Surface<T> surface = surface_of(prepared->cut_offs, prepared->rms_gradient, chosen.parallel, parameters,
+                                        [&](Surface<T>& found) { add_statistics(found, flat, acf); });
+        surface.profile = prepared;
+        surface.is_profile = true;
+        surface.size = static_cast<T>(flat.present()) * flat.spacing;
+        surface.widest_band = widest_band(static_cast<T>(flat.size()) * flat.spacing, flat.spacing, surface.cut_offs);
+        return surface;
+    });
+}
+
+/// A map without its form after the cleaning, with the cut-offs of \p options; \p sections are those before them.
+template <Real T>
+[[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options,
+                                     const SectionStructures<T>* sections) {
     const auto prepared = std::make_shared<PreparedMap<T>>(with_cut_offs(without_form, options));
     const int degree = degree_of(options.map_form), terms = degree * (degree + 3) / 2;
-    SurfaceParameters<T> parameters = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared),
-                                                            parameter_options(options, *prepared, terms));
-    if (prepared->cut_offs.why_s != LambdaSReason::by_table)
-        prepared->unfiltered.reset();  // D is parameters; K is of it
     const HeightMap<T>& flat = prepared->map;
-    if (options.texture && degree > 0) parameters.plain_form = detail::plain_form(flat, degree);
-    if (options.texture) std::tie(parameters.offset_lines, parameters.line_step) = line_offsets(steps);
-    Surface<T> surface =
-        surface_of(std::move(parameters), flat, prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient));
+    const auto parameters = [&] {
+        auto how = parameter_options(options, *prepared, terms);
+        how.sections = sections;
+        auto result = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared), how);
+        if (options.texture && degree > 0) result.plain_form = detail::plain_form(flat, degree);
+        if (options.texture) std::tie(result.offset_lines, result.line_step) = line_offsets(*without_form.unfiltered);
+        return result;
+    };
+    Surface<T> surface = surface_of(prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient), options.parallel,
+                                    parameters, [&](Surface<T>& found) { add_statistics(found, flat); });
+    if (prepared->cut_offs.why_s != LambdaSReason::by_table) prepared->unfiltered.reset();  // D is found; K is of it
     surface.map = prepared;
     surface.size = static_cast<T>(flat.present()) * flat.dx * flat.dy;
     surface.widest_band =
         widest_band((std::max)(static_cast<T>(flat.columns()) * flat.dx, static_cast<T>(flat.rows()) * flat.dy),
                     (std::max)(flat.dx, flat.dy), surface.cut_offs);
-    surface.neighbours = std::move(neighbours);
     return surface;
+}
+
+/// A map without its form after the cleaning, with its neighbours.
+template <Real T>
+[[nodiscard]] Surface<T> measure_map(const PreparedMap<T>& without_form, const MeasureOptions<T>& options) {
+    const HeightMap<T>& map = *without_form.unfiltered;
+    const CutOffs<T> cut_offs = choose_cut_offs(map, options);
+    std::optional<SectionStructures<T>> sections;  // none: each surface has the reason
+    if (options.dimension)
+        (void)fit_or_reason(sections, [&] {
+            return section_structures(map, parameter_options(options, cut_offs).fit, options.parallel);
+        });
+    return with_neighbours(cut_offs, options, (std::max)(map.dx, map.dy), [&](const MeasureOptions<T>& chosen) {
+        return measure_map(without_form, chosen, sections ? &*sections : nullptr);
+    });
 }
 
 template <Real T>

@@ -94,7 +94,8 @@ struct MeasureOptions {
     bool neighbours = true;                  ///< whether the surface is measured with other lambda_s too
     bool neighbour_dimensions = true;        ///< whether D and G of these are computed
     bool keep_maps = true;                   ///< whether the neighbours keep their filtered maps
-    ProgressHook progress{};                 ///< of the resamples
+    ProgressHook progress{};                 ///< of the resamples; not called where they run in parallel
+    ParallelHook parallel{};  ///< of the surface, its neighbours and parts of each; the results are equal
 };
 
 }  // namespace fstiff::inline v0_1

@@ -54,6 +54,10 @@ struct SurfaceParameterOptions {
     std::size_t resamples = 400;
     std::uint64_t seed = 2014;
     ProgressHook progress{};  ///< of the resamples; `islands` and `fit` have their own
+    /// Of the profile, of it before its filters, and of the map before its filters, where they are known.
+    const Autocorrelation<T>* autocorrelation = nullptr;
+    const MeasuredStructureFunction<T>* structure = nullptr;
+    const SectionStructures<T>* sections = nullptr;
 };
 
 /// Parameters of a surface after removal of its form, or of a surface as it is.
@@ -218,16 +222,19 @@ SurfaceParameters<T> surface_parameters(const LevelledProfile<T>& levelled, cons
                                    [&](Eigen::Index, Eigen::Index i) { return height(static_cast<std::size_t>(i)); });
     result.long_wave_share = static_cast<T>(waves.share);
     detail::add_long_waves(spread, estimate, waves);
-    result.repetition = detail::repetition(profile);
+    result.repetition =
+        detail::repetition(options.autocorrelation ? *options.autocorrelation : autocorrelation(profile));
     store_sums(result, estimate, spread, unit, step, step);
     if (total.triples.peaks == 0) result.why_no_density = "no peak";
     require_numbers(result);
     result.peaks_counted = total.triples.peaks;
     result.block_length = static_cast<T>(block * length) * profile.spacing;
     result.seed = options.seed;
-    result.why_no_dimension =
-        options.dimension ? fit_or_reason(result.profile_fit, [&] { return fit_fractal(levelled, options.fit); })
-                          : "D was not asked for";
+    const auto fit = [&] {
+        if (!options.structure) return fit_fractal(levelled, options.fit);
+        return fit_profile(levelled.of_structure(), *options.structure, fit_options(levelled, options.fit));
+    };
+    result.why_no_dimension = options.dimension ? fit_or_reason(result.profile_fit, fit) : "D was not asked for";
     if (result.profile_fit) store_fit(result, *result.profile_fit);
     store_long_end(result, waves, static_cast<T>(size) * profile.spacing / std::numbers::sqrt2_v<T>, options);
     return result;
@@ -337,7 +344,10 @@ SurfaceParameters<T> surface_parameters(const HeightMap<T>& map, const SurfacePa
 
 template <Real T>
 SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled, const SurfaceParameterOptions<T>& options) {
-    return map_parameters(levelled.map, options, [&] { return fit_directions(levelled, options.fit); });
+    return map_parameters(levelled.map, options, [&] {
+        if (!options.sections) return fit_directions(levelled, options.fit);
+        return fit_directions(*options.sections, fit_options(levelled, options.fit));
+    });
 }
 
 }  // namespace detail

@@ -56,11 +56,10 @@ struct Repetition {
 
 namespace fstiff::inline v0_1::detail {
 
-/// Repetition of \p profile. \throws domain_error for a profile out of range.
+/// Repetition of a profile with the autocorrelation \p acf.
 template <Real T>
-[[nodiscard]] Repetition<T> repetition(const Profile<T>& profile) {
-    const Autocorrelation<T> acf = autocorrelation(profile);
-    const std::size_t reach = profile.size() / 4;
+[[nodiscard]] Repetition<T> repetition(const Autocorrelation<T>& acf) {
+    const std::size_t reach = (acf.size() - 1) / 2;  // a quarter of the profile
     const auto share = [&](std::size_t n) {
         return acf.pairs[n] == 0 ? T(0)
                                  : acf.value[n] * static_cast<T>(acf.pairs[n]) / static_cast<T>(acf.pairs.front());

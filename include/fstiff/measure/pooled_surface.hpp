@@ -271,7 +271,7 @@ template <Real T>
     ShapeOfHeights<T> shape;
     T sum = 0, size = 0;
     for (const auto& part : parts) {
-        if (part.profile) shape.add(part.profile->profile);
+        if (part.profile) shape.add(part.profile->profile, autocorrelation(part.profile->profile));
         if (part.map) shape.add(part.map->map);
         sum += part.size * part.shape_share, size += part.size;
     }

@@ -75,20 +75,41 @@ struct DirectionalFit {
 
 namespace fstiff::inline v0_1::detail {
 
-/// Fits both directions of \p map. The resamples and the seed of \p options apply to the rows; a window or a resolution
-/// applies to both directions.
-/// \throws domain_error for a map or an option out of range; a tip radius is refused, because the lags that the tip
-/// changed need the heights of one profile: give the resolution.
+/// Mean structure functions of the sections of one map, with its sides.
+template <Real T = double>
+struct SectionStructures {
+    MeasuredStructureFunction<T> x, y;
+    T side{};  ///< the shorter one [m]
+};
+
+/// Resamples, seed and progress of \p options are those of the rows. \throws domain_error for a map out of range.
 template <Real T>
-[[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {});
-/// Same as above for a map whose form and cut-offs are known.
+[[nodiscard]] SectionStructures<T> section_structures(const HeightMap<T>& map, const FractalFitOptions<T>& options,
+                                                      const ParallelHook& parallel = {});
+
+/// Fits both directions of \p sections. A window or a resolution applies to both.
+/// \throws domain_error for an option out of range; a tip radius is refused, because the lags that the tip changed need
+/// the heights of one profile: give the resolution.
+template <Real T>
+[[nodiscard]] DirectionalFit<T> fit_directions(const SectionStructures<T>& sections,
+                                               const FractalFitOptions<T>& options);
+/// Same as above of \p map.
+template <Real T>
+[[nodiscard]] DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options = {}) {
+    return fit_directions(section_structures(map, options), options);
+}
+/// \p options for \p levelled: lags above lambda_c are not roughness.
+template <Real T>
+[[nodiscard]] FractalFitOptions<T> fit_options(const LevelledMap<T>& levelled, FractalFitOptions<T> options) {
+    if (levelled.lambda_c > T(0) && !(options.longest > T(0) && options.longest < levelled.lambda_c))
+        options.longest = levelled.lambda_c;
+    return options;
+}
+/// Same as fit_directions() for a map whose form and cut-offs are known.
 template <Real T>
 [[nodiscard]] DirectionalFit<T> fit_directions(const LevelledMap<T>& levelled,
                                                const FractalFitOptions<T>& options = {}) {
-    FractalFitOptions<T> adjusted = options;  // lags above lambda_c are not roughness
-    if (levelled.lambda_c > T(0) && !(adjusted.longest > T(0) && adjusted.longest < levelled.lambda_c))
-        adjusted.longest = levelled.lambda_c;
-    return fit_directions(levelled.of_structure(), adjusted);
+    return fit_directions(levelled.of_structure(), fit_options(levelled, options));
 }
 
 /// Sums of squared differences, or second differences, and their numbers, for every section (rows) and lag (columns).
@@ -281,12 +302,22 @@ MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Directio
 }
 
 template <Real T>
-DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOptions<T>& options) {
+SectionStructures<T> section_structures(const HeightMap<T>& map, const FractalFitOptions<T>& options,
+                                        const ParallelHook& parallel) {
     map.validate(16);
-    require(options.tip_radius == T(0), "tip radius", options.tip_radius, "left out for a map: give the resolution");
     const SectionResampling resampling{options.resamples, options.seed, options.progress};
-    const auto along_x = section_structure(map, Direction::x, resampling);
-    const auto along_y = section_structure(map, Direction::y, resampling);
+    SectionStructures<T> sections;
+    sections.side = (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
+    run_pieces(parallel, 2, [&](std::size_t i) {
+        (i == 0 ? sections.x : sections.y) = section_structure(map, i == 0 ? Direction::x : Direction::y, resampling);
+    });
+    return sections;
+}
+
+template <Real T>
+DirectionalFit<T> fit_directions(const SectionStructures<T>& sections, const FractalFitOptions<T>& options) {
+    require(options.tip_radius == T(0), "tip radius", options.tip_radius, "left out for a map: give the resolution");
+    const auto &along_x = sections.x, &along_y = sections.y;
     DirectionalFit<T> result;
     const auto fit = [&](std::optional<FractalFit<T>>& into, const MeasuredStructureFunction<T>& measured,
                          const FractalFitOptions<T>& settings) {
@@ -312,8 +343,7 @@ DirectionalFit<T> fit_directions(const HeightMap<T>& map, const FractalFitOption
         const T difference = std::abs(result.dimension_difference);
         result.dimension_differs = difference > 3 * result.dimension_difference_error && difference > T(0.05);
     }
-    const T side = (std::min)(static_cast<T>(map.columns()) * map.dx, static_cast<T>(map.rows()) * map.dy);
-    const LagWindow<T> common{4 * (std::max)(map.dx, map.dy), side / 10};
+    const LagWindow<T> common{4 * (std::max)(along_x.spacing, along_y.spacing), sections.side / 10};
     const auto varies = [](const MeasuredStructureFunction<T>& m) {
         const std::vector<T>& s = m.second_differences.value;
         return s.size() >= 4 && std::all_of(s.begin(), s.end(), [](T value) { return value > T(0); });

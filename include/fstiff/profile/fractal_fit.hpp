@@ -47,9 +47,6 @@ void check_window(const LagWindow<T>& window, T length) {
 }
 
 template <Real T>
-FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options);
-
-template <Real T>
 FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const FractalFitOptions<T>& options,
                            T tip_length);
 
@@ -80,8 +77,9 @@ void set_slope_error(LogStructure<F>& log) {
     log.slope_error = log.slope_error.cwiseSqrt().eval();
 }
 
+/// S and S2 of \p profile with their resamples, for the lags of \p options. \throws domain_error as fit_fractal().
 template <Real T>
-FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+MeasuredStructureFunction<T> profile_structure(const Profile<T>& profile, const FractalFitOptions<T>& options) {
     profile.validate(16);
     check_options(options);
     const std::size_t points = profile.size();
@@ -101,15 +99,38 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
     measured.rms_height = rms_height(profile);
     measured.points = points;
     if (options.resamples > 1)
-        measured.resample = [&](const std::vector<std::size_t>& steps) {
-            const Profile<double> heights{std::vector<double>(profile.heights.begin(), profile.heights.end()),
-                                          static_cast<double>(profile.spacing)};
-            return bootstrap_log_structure(heights, steps, options.resamples, options.seed, options.progress);
+        measured.resample = [heights = Profile<double>{{profile.heights.begin(), profile.heights.end()},
+                                                       static_cast<double>(profile.spacing)},
+                             resamples = options.resamples, seed = options.seed,
+                             progress = options.progress](const std::vector<std::size_t>& steps) {
+            return bootstrap_log_structure(heights, steps, resamples, seed, progress);
         };
+    return measured;
+}
+
+/// D and G of \p profile, whose structure function is \p measured.
+template <Real T>
+FractalFit<T> fit_profile(const Profile<T>& profile, const MeasuredStructureFunction<T>& measured,
+                          const FractalFitOptions<T>& options) {
+    check_options(options);
     const T tip_length = options.tip_radius > T(0) ? detail::tip_cutoff(profile, options.tip_radius) : T(0);
     FractalFit<T> result = fit_measured(measured, options, tip_length);
     result.seed = options.seed;
     return result;
+}
+
+template <Real T>
+FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>& options) {
+    return fit_profile(profile, profile_structure(profile, options), options);
+}
+
+/// \p options for \p levelled: its cut-offs limit the lags.
+template <Real T>
+[[nodiscard]] FractalFitOptions<T> fit_options(const LevelledProfile<T>& levelled, FractalFitOptions<T> options) {
+    options.lambda_s = (std::max)(options.lambda_s, levelled.lambda_s.value_or(T(0)));
+    if (levelled.lambda_c && !(options.longest > T(0) && options.longest < *levelled.lambda_c))
+        options.longest = *levelled.lambda_c;
+    return options;
 }
 
 }  // namespace detail
@@ -119,11 +140,7 @@ FractalFit<T> fit_profile(const Profile<T>& profile, const FractalFitOptions<T>&
 /// lags follows a power law, or when D is not between 1 and 2.
 template <Real T>
 [[nodiscard]] FractalFit<T> fit_fractal(const LevelledProfile<T>& levelled, const FractalFitOptions<T>& options = {}) {
-    FractalFitOptions<T> adjusted = options;
-    adjusted.lambda_s = (std::max)(adjusted.lambda_s, levelled.lambda_s.value_or(T(0)));
-    if (levelled.lambda_c && !(adjusted.longest > T(0) && adjusted.longest < *levelled.lambda_c))
-        adjusted.longest = *levelled.lambda_c;
-    return detail::fit_profile(levelled.of_structure(), adjusted);
+    return detail::fit_profile(levelled.of_structure(), detail::fit_options(levelled, options));
 }
 
 /// D and G of \p profile as it is. \throws domain_error as above.

@@ -84,22 +84,29 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     const std::size_t block =
         std::clamp<std::size_t>(4 * step.back() / cell + 1, 1, std::max<std::size_t>(1, cells / 4));
     math::BlockBootstrap<T> bootstrap(cells, block, static_cast<std::size_t>(resamples), seed);
-    const T scale = 2 * height_scale(profile);
+    const T inverse = 1 / (2 * height_scale(profile));  // of a power of two: the products are exact
+    const bool complete = profile.present() == z.size();
     Matrix<T> resampled(static_cast<Eigen::Index>(step.size()), resamples);
+    std::vector<std::pair<T, T>> totals(cells);  // sums of squares, and triples
     for (std::size_t k = 0; k < step.size(); ++k) {
         if (progress) progress("bootstrap", k, step.size());
         const std::size_t n = step[k];
-        const std::vector<T>& means = bootstrap.means([&](std::size_t c) {
-            T sum = 0, count = 0;
-            const std::size_t end = (std::min)((c + 1) * cell, z.size() - n);
-            for (std::size_t i = (std::max)(c * cell, n); i < end; ++i) {
-                const T difference = (z[i + n] - z[i]) / scale - (z[i] - z[i - n]) / scale;
-                if (std::isnan(difference)) continue;
-                sum += difference * difference;
-                ++count;
-            }
-            return std::pair{sum, count};
+        const auto difference = [&](std::size_t i) {
+            return (z[i + n] - z[i]) * inverse - (z[i] - z[i - n]) * inverse;
+        };
+        const auto square = [&](std::size_t i) {
+            const T bend = difference(i);
+            return complete || !std::isnan(bend) ? bend * bend : T(0);
+        };
+        std::fill(totals.begin(), totals.end(), std::pair<T, T>());
+        std::size_t c = n / cell;
+        math::sum_runs<T>(n, z.size() - n, cell, square, [&](T sum) {
+            const std::size_t from = (std::max)(c * cell, n), end = (std::min)((c + 1) * cell, z.size() - n);
+            auto triples = static_cast<T>(end - from);
+            for (std::size_t i = from; !complete && i < end; ++i) triples -= std::isnan(difference(i)) ? T(1) : T(0);
+            totals[c++] = {sum, triples};
         });
+        const std::vector<T>& means = bootstrap.means([&](std::size_t part) { return totals[part]; });
         for (int r = 0; r < resamples; ++r)
             resampled(static_cast<Eigen::Index>(k), r) = std::log(means[static_cast<std::size_t>(r)]);
     }

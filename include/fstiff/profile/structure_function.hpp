@@ -15,6 +15,7 @@
 /// Accuracy    1e-13 in double for 2^16 points, offset up to 1e6 times the roughness
 ///             (tests/profile/structure_function_test.cpp, tests/profile/second_differences_test.cpp)
 
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 
 #include <optional>
@@ -102,20 +103,15 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
             refuse("lag", std::to_string(n) + " samples",
                    "between 1 and " + std::to_string(points > 0 ? (points - 1) / reach : 0));
         // sums of short runs are added up, so that rounding does not grow with the number of points
-        constexpr std::size_t run = 512;
         double sum = 0;
-        std::size_t pairs = 0;
-        for (std::size_t start = 0; start < points - reach * n; start += run) {
-            const std::size_t end = (std::min)(start + run, points - reach * n);
-            double part = 0;
-            for (std::size_t i = start; i < end; ++i) {
-                const T rise = difference(i, n);
-                if (!complete && std::isnan(rise)) continue;
-                part += static_cast<double>(rise) * rise;
-                ++pairs;
-            }
-            sum += part;
-        }
+        std::size_t pairs = points - reach * n;
+        const auto square = [&](std::size_t i) {
+            const T rise = difference(i, n);
+            if (complete || !std::isnan(rise)) return static_cast<double>(rise) * rise;
+            --pairs;
+            return 0.0;
+        };
+        math::sum_runs<double>(0, points - reach * n, 512, square, [&](double part) { sum += part; });
         const std::size_t count = divided_by(pairs, divisor);
         if (count == 0) continue;
         result.step.push_back(n);
@@ -133,10 +129,10 @@ StructureFunction<T> mean_squares(const Profile<T>& profile, std::span<const std
 template <Real T>
 [[nodiscard]] StructureFunction<T> structure_function(const Profile<T>& profile, std::span<const std::size_t> lags,
                                                       Divisor divisor = Divisor::pairs) {
-    const T scale = detail::height_scale(profile);
+    const T scale = detail::height_scale(profile), inverse = 1 / scale;  // a power of two: the product is exact
     const T* const z = profile.heights.data();
     return detail::mean_squares(profile, lags, 1, scale, divisor,
-                                [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) / scale; });
+                                [=](std::size_t i, std::size_t n) { return (z[i + n] - z[i]) * inverse; });
 }
 
 namespace detail {
@@ -145,10 +141,10 @@ namespace detail {
 /// \throws domain_error as structure_function(), for a lag above (N-1)/2.
 template <Real T>
 [[nodiscard]] StructureFunction<T> second_differences(const Profile<T>& profile, std::span<const std::size_t> lags) {
-    const T scale = 2 * height_scale(profile);  // a second difference is at most four heights
+    const T scale = 2 * height_scale(profile), inverse = 1 / scale;  // a second difference is at most four heights
     const T* const z = profile.heights.data();
     return mean_squares(profile, lags, 2, scale, Divisor::pairs, [=](std::size_t i, std::size_t n) {
-        return (z[i + 2 * n] - z[i + n]) / scale - (z[i + n] - z[i]) / scale;
+        return (z[i + 2 * n] - z[i + n]) * inverse - (z[i + n] - z[i]) * inverse;
     });
 }
 

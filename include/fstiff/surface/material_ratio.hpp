@@ -19,13 +19,13 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/math/rounding.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -132,7 +132,7 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
     for (const T height : heights)
         if (!std::isnan(height)) z.push_back(static_cast<double>(height));
     require(z.size() >= 16, "heights of a material ratio curve", z.size(), "at least 16");
-    std::sort(z.begin(), z.end(), std::greater<>());
+    math::sort_falling<double>(z, [](double height) { return height; });
     require(z.front() > z.back() && std::isfinite(z.front() - z.back()),
             "heights of a material ratio curve, all of them", static_cast<T>(z.front()),
             "finite and of varying height");

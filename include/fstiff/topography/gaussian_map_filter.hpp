@@ -17,6 +17,7 @@
 ///             gaussian_map_filter_test.cpp, robust_gaussian_map_filter_test.cpp)
 
 #include <fstiff/math/gaussian_smoother.hpp>
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/math/tukey.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -181,7 +182,7 @@ template <Real T>
     order.reserve(static_cast<std::size_t>(map.size()));
     for (Eigen::Index i = 0; i < map.size(); ++i)
         if (!std::isnan(map.heights.data()[i])) order.emplace_back(map.heights.data()[i], i);
-    std::sort(order.begin(), order.end());
+    math::sort_falling<T>(order, [](const auto& point) { return -point.first; });  // equal ones in their order
     std::vector<T> sorted;
     sorted.reserve(order.size());
     for (const auto& [height, index] : order) sorted.push_back(height);

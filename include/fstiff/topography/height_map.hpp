@@ -136,12 +136,9 @@ T height_scale(const HeightMap<T>& map) {
 template <Real T, class Term>
 double mean_over_points(const HeightMap<T>& map, const Term& term) {
     double sum = 0;
-    for (Eigen::Index j = 0; j < map.rows(); ++j) {
-        double row = 0;
-        for (const T z : map.heights.row(j))
-            if (!std::isnan(z)) row += term(z);
-        sum += row;
-    }
+    const auto of_point = [&, z = map.heights.data()](std::size_t k) { return std::isnan(z[k]) ? 0.0 : term(z[k]); };
+    math::sum_runs<double>(0, static_cast<std::size_t>(map.size()), static_cast<std::size_t>(map.columns()), of_point,
+                           [&](double row) { sum += row; });
     return sum / static_cast<double>(map.present());
 }
 
@@ -149,10 +146,11 @@ double mean_over_points(const HeightMap<T>& map, const Term& term) {
 template <Real T>
 struct MapHeights {
     T datum{}, unit{};
+    double inverse{};   // of the unit, a power of two
     double mean{};      // [unit] above the datum
     double variance{};  // [unit^2]
 
-    explicit MapHeights(const HeightMap<T>& map) : unit(height_scale(map)) {
+    explicit MapHeights(const HeightMap<T>& map) : unit(height_scale(map)), inverse(1 / static_cast<double>(unit)) {
         for (Eigen::Index k = map.size(); k-- > 0;)
             if (!std::isnan(map.heights.data()[k])) {
                 datum = map.heights.data()[k];
@@ -161,7 +159,7 @@ struct MapHeights {
         mean = mean_over_points(map, [&](T z) { return in_units(z); });
         variance = mean_over_points(map, [&](T z) { return (in_units(z) - mean) * (in_units(z) - mean); });
     }
-    double in_units(T z) const { return (static_cast<double>(z) - datum) / unit; }
+    double in_units(T z) const { return (static_cast<double>(z) - datum) * inverse; }
 };
 
 }  // namespace detail

@@ -89,16 +89,18 @@ private:
 template <Real T>
 class IslandForest {
 public:
-    /// \p datum is the zero of the sums of mean heights. With \p quick, a point that changes no height leaves their sum
-    /// unchanged; else its island is subtracted and added again, with its rounding.
-    IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum, bool quick)
+    /// \p datum is the zero of the sums of mean heights. With \p bands, which rise as the heights fall, a point that
+    /// changes no height leaves their sum unchanged; else its island is subtracted and added again, with its rounding.
+    IslandForest(const HeightMap<T>& map, const IslandOptions<T>& options, std::size_t tiles, T datum,
+                 const std::uint8_t* bands)
         : z_(map.heights.data()),
           columns_(static_cast<std::int32_t>(map.columns())),
           rows_(static_cast<std::int32_t>(map.rows())),
           eight_(options.connectivity == Connectivity::eight),
           drop_border_(options.border == BorderIslands::dropped),
           twice_mean_(options.height == IslandHeight::twice_mean),
-          all_count_(quick && !drop_border_ && !twice_mean_ && options.min_points <= 1),
+          bands_(bands),
+          all_count_(bands && !drop_border_ && !twice_mean_ && options.min_points <= 1),
           min_points_(options.min_points),
           datum_(datum),
           parent_(static_cast<std::size_t>(map.size()), under_water),
@@ -109,7 +111,7 @@ public:
 
     void raise(std::int32_t point) {
         const Islands met = islands_beside(point);
-        if (all_count_ && met.count == 1 && !is_higher(point, met.root[0])) {  // most points: one more of an island
+        if (all_count_ && met.count == 1 && !rises(point, met.root[0])) {  // most points: one more of an island
             const std::int32_t root = met.root[0];
             parent_[index(point)] = root;
             --parent_[index(root)];
@@ -161,6 +163,11 @@ private:
 
     bool is_higher(std::int32_t a, std::int32_t b) const { return z_[a] > z_[b] || (z_[a] == z_[b] && a < b); }
 
+    /// is_higher(), by the bands where they differ: more of these are in the cache than heights.
+    bool rises(std::int32_t a, std::int32_t b) const {
+        return bands_[b] == bands_[a] ? is_higher(a, b) : bands_[a] < bands_[b];
+    }
+
     /// Roots of up to four islands.
     struct Islands {
         std::array<std::int32_t, 4> root;
@@ -207,6 +214,7 @@ private:
     const T* z_;
     std::int32_t columns_, rows_;
     bool eight_, drop_border_, twice_mean_;
+    const std::uint8_t* bands_;
     bool all_count_;  // every island does, its height is that of its root, and that need not be summed anew
     std::size_t min_points_;
     double datum_;

@@ -15,10 +15,10 @@
 /// Accuracy    counts and areas exact, mean heights 1e-14 of the roughness (tests/topography/islands_test.cpp).
 ///             Greatest density of narrow Gaussian bands 1.02 to 1.08 of (2 pi)^(-3/2) e^(-1/2) m2/m0
 
+#include <fstiff/math/statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/island_forest.hpp>
 
-#include <bit>
 #include <cstring>
 #include <numbers>
 
@@ -157,28 +157,6 @@ struct IslandPoint {
     std::int32_t index;
 };
 
-/// Sorts the highest first, equal ones in their order: radix sort of 11 bits a pass.
-template <Real T>
-void sort_from_the_highest(std::vector<IslandPoint<T>>& points) {
-    using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    constexpr int width = 8 * static_cast<int>(sizeof(T)), digit = 11;
-    constexpr Bits sign = Bits(1) << (width - 1), mask = (Bits(1) << digit) - 1;
-    const auto key = [](T height) -> Bits {                    // falls as the height rises
-        const Bits bits = std::bit_cast<Bits>(height + T(0));  // -0 becomes +0
-        return (bits & sign) != 0 ? bits : ~(bits | sign);
-    };
-    std::vector<IslandPoint<T>> other(points.size());
-    std::vector<std::size_t> start(std::size_t(mask) + 1);
-    for (int shift = 0; shift < width; shift += digit) {
-        std::fill(start.begin(), start.end(), std::size_t(0));
-        for (const IslandPoint<T>& point : points) ++start[key(point.height) >> shift & mask];
-        std::size_t sum = 0;
-        for (std::size_t& count : start) sum += std::exchange(count, sum);
-        for (const IslandPoint<T>& point : points) other[start[key(point.height) >> shift & mask]++] = point;
-        points.swap(other);
-    }
-}
-
 /// Points of \p map that exist, from the highest.
 template <Real T>
 std::vector<IslandPoint<T>> sorted_points(const HeightMap<T>& map) {
@@ -186,7 +164,7 @@ std::vector<IslandPoint<T>> sorted_points(const HeightMap<T>& map) {
     points.reserve(static_cast<std::size_t>(map.present()));
     for (std::int32_t p = 0; p < static_cast<std::int32_t>(map.size()); ++p)
         if (const T z = map.heights.data()[p]; !std::isnan(z)) points.push_back({z, p});
-    sort_from_the_highest(points);
+    math::sort_falling<T>(points, [](const IslandPoint<T>& point) { return point.height; });
     return points;
 }
 
@@ -259,7 +237,8 @@ IslandCurve<T> sweep_islands(const HeightMap<T>& map, const IslandOptions<T>& op
     if (!in_bands && points.empty()) points = sorted_points(map);
     if (in_bands) points = {};
     const std::vector<std::uint8_t> bands = in_bands ? level_bands(map, range, levels) : std::vector<std::uint8_t>();
-    IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height, in_bands);
+    IslandForest<T> forest(map, options, tiles, in_bands ? T(0) : points[present / 2].height,
+                           in_bands ? bands.data() : nullptr);
     std::size_t above = 0;
     const auto raise_to = [&](std::size_t index) {  // the points above that level, and not above the one before
         if (in_bands) {

@@ -41,9 +41,11 @@ Report execute_scales(const Options& options) {
 Report execute(const Options& options) {
     if (options.scales) return execute_scales(options);
     surface::MeasureOptions measure = options.measure;
+    const ProgressHook progress = progress_bar();
     measure.keep_maps = false;
+    measure.parallel = all_cores(progress);
     return report(actions::document_of(options.measure, std::make_shared<const surface::MeasuredSurface>(
-                                                            measure_files(measure, options.files, progress_bar()))),
+                                                            measure_files(measure, options.files, progress))),
                   options.output.chosen());
 }
 

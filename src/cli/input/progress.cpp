@@ -6,12 +6,17 @@
 #include <fstiff/core/text.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 namespace fstiff::cli {
 namespace {
@@ -67,6 +72,24 @@ ProgressHook progress_bar(bool with_rate) {
     if (!document::os::is_terminal(stderr) || (terminal && std::string_view(terminal) == "dumb")) return {};
     return [bar = std::make_shared<Bar>(with_rate)](std::string_view what, std::size_t done, std::size_t total) {
         (*bar)(what, done, total);
+    };
+}
+
+ParallelHook all_cores(const ProgressHook& progress) {
+    return [progress, caller = std::this_thread::get_id()](std::size_t count, const Piece& run) {
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t i; (i = next++) < count;) run(i);
+        };
+        std::vector<std::future<void>> helpers;  // each ends before it is destroyed
+        try {
+            for (std::size_t i = 1; i < std::min<std::size_t>(std::thread::hardware_concurrency(), count); ++i)
+                helpers.push_back(std::async(std::launch::async, work));
+        } catch (const std::system_error&) {  // a limit on threads
+        }
+        const bool reports = progress && std::this_thread::get_id() == caller;  // not for the pieces of a piece
+        for (std::size_t i; (i = next++) < count; run(i))
+            if (reports) progress("pieces", i, count);
     };
 }
 

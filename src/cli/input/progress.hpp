@@ -10,4 +10,7 @@ namespace fstiff::cli {
 /// shows how many are done in a second.
 ProgressHook progress_bar(bool with_rate = false);
 
+/// Runs pieces on as many threads as the machine has cores, or as start, and reports them to \p progress.
+ParallelHook all_cores(const ProgressHook& progress);
+
 }  // namespace fstiff::cli
