@@ -46,8 +46,11 @@ class SurfaceOptions(TypedDict, total=False):
     mask                 a file of 0 and 1: points of 0 become missing (in an array, make them NaN or masked)
     spikes               points farther than so many robust standard deviations from their neighbours become missing, from 3
     fill                 missing points are filled
-    detrend              form that is removed: "none", "mean", "line", "parabola", "gaussian" of a profile (then cutoff);
-                         "none", "mean", "plane", "quadratic", "cubic" of a map
+    align                of a map, the offsets of scan lines: "none", "median" or "median_of_differences", of lines along
+                         scan_axis "x", "y" or "auto"
+    detrend              form that is removed: "none", "mean", "line", "parabola", "circle", "gaussian" of a profile (then
+                         cutoff); "none", "mean", "plane", "quadratic", "cubic", "sphere", "cylinder" of a map
+    radius               of a circle, sphere or cylinder; the best one by default
     lambda_s, lambda_c   shortest and longest waves that are kept; "auto" of lambda_s is by the standards' table, of
                          lambda_c all, and the table's for Ra and Rq of a profile; "none" keeps all
     filter               of lambda_c: "gaussian" or "robust"
@@ -64,7 +67,10 @@ class SurfaceOptions(TypedDict, total=False):
     mask: str | os.PathLike[str]
     spikes: float
     fill: bool
+    align: Literal["none", "median", "median_of_differences"]
+    scan_axis: Literal["auto", "x", "y"]
     detrend: str
+    radius: Length
     cutoff: Length
     lambda_s: Length
     lambda_c: Length
@@ -554,6 +560,8 @@ def measure(
     *,
     peaks: Literal["islands", "summits"] | None = None,
     window: str | tuple[Length, Length] | None = None,
+    columns: str | None = None,
+    channels: str | None = None,
     resamples: int | None = None,
     seed: int | None = None,
     **options: Unpack[SurfaceOptions],
@@ -567,10 +575,11 @@ def measure(
                 are none. A list of several of one surface is pooled: files, or arrays such as the 1-D arrays of traces, or objects
     peaks       of a map, for R and D_p: its islands (default) or its summits
     window      shortest and longest lag that give D [m]; None chooses them
+    columns     of one file, "2-180" or "2,4": profiles of one face, which are pooled; channels: its tables or channels
     resamples   for the standard errors, 400 by default, drawn with `seed`
     options     see SurfaceOptions
     """
-    own = {"peaks": peaks, "window": window, "resamples": resamples, "seed": seed}
+    own = {"peaks": peaks, "window": window, "columns": columns, "channels": channels, "resamples": resamples, "seed": seed}
     made, names, arrays = _of(surface, dict(options), own)
     files = _core.without_folders(names)
     found = _core.measure(made, files, [], [_core.Heights(*one) for one in arrays])

@@ -88,14 +88,12 @@ Found measure(const nb::dict& options, const std::vector<std::string>& files, co
     auto how = request_of<surface::MeasureOptions>(options);
     const nb::gil_scoped_release free;
     const auto measure = [&](surface::MeasureOptions of, std::size_t i) {
-        of.input.file = arrays.empty() ? files[i] : arrays[i].name;
-        return arrays.empty() ? measure_surface(of, bytes[i], until_interrupted())
-                              : measure_surface(of, *input_of(of.input, arrays[i]), until_interrupted());
+        of.input.file = arrays[i].name;
+        return measure_surface(of, *input_of(of.input, arrays[i]), until_interrupted());
     };
-    const auto surface =
-        std::make_shared<const MeasuredSurface>(!arrays.empty()  ? measure_parts(how, arrays.size(), measure, "array")
-                                                : !bytes.empty() ? measure_parts(how, bytes.size(), measure)
-                                                                 : measure_files(how, files, until_interrupted()));
+    const auto surface = std::make_shared<const MeasuredSurface>(
+        !arrays.empty() ? measure_parts(how, arrays.size(), measure, "array")
+                        : measure_files(how, files, until_interrupted(), bytes));
     return found(actions::document_of(how, surface), surface);
 }
 

@@ -90,8 +90,8 @@ bool conducts_current(const Scene& scene) {
     return scene.conduction.electrical && is_given(scene, ".electrical_conductivity");
 }
 std::string_view unless(bool there, std::string_view what) { return there ? std::string_view() : what; }
-bool resists_heat(const Scene& scene) { return is_joint(scene) && conducts_heat(scene); }
-bool resists_current(const Scene& scene) { return is_joint(scene) && conducts_current(scene); }
+bool resists_heat(const Scene& scene) { return scene.nominal_area && conducts_heat(scene); }
+bool resists_current(const Scene& scene) { return scene.nominal_area && conducts_current(scene); }
 constexpr std::string_view nominal_area = "contact.nominal_area or contact.washer";
 std::string_view lack_of_thermal_resistance(const Scene& scene) {
     return scene.nominal_area ? unless(scene.conduction.thermal.has_value(), "material.upper.thermal_conductivity")

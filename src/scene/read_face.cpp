@@ -74,7 +74,8 @@ Measured measured_from(const surface::MeasureOptions& options, const std::vector
                        const Place& place, const ProgressHook& progress) {
     return std::make_shared<const surface::MeasuredSurface>(detail::located(place, [&] {
         std::error_code none;
-        if (files.size() > 1 || std::filesystem::is_directory(document::path_of(files.front()), none))
+        const bool has_parts = !options.input.columns.empty() || !options.input.channels.empty();
+        if (has_parts || files.size() > 1 || std::filesystem::is_directory(document::path_of(files.front()), none))
             return measure_files(options, files, progress);
         const std::string& file = files.front();
         std::string bytes = document::read_all(file);

@@ -137,8 +137,10 @@ MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const M
         parts.clear(), copies.clear();
         for (std::size_t i = 0; i < count; ++i) {
             MeasuredSurface part = measure(options, i);
-            const auto same = std::find_if(parts.begin(), parts.end(),
-                                           [&](const MeasuredSurface& other) { return other.sha256 == part.sha256; });
+            const auto same = std::find_if(parts.begin(), parts.end(), [&](const MeasuredSurface& other) {
+                const SurfaceOptions &a = other.how->input, &b = part.how->input;
+                return other.sha256 == part.sha256 && a.column == b.column && a.channel == b.channel;
+            });
             if (same == parts.end())
                 parts.push_back(std::move(part));
             else
@@ -156,15 +158,16 @@ MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const M
 
 namespace {
 
-/// The numbers of a list such as "2-180" or "2,4,6-9". \throws option_error.
-std::vector<int> numbers_of_list(const std::string& list, const std::string& name) {
+/// The numbers of a list such as "2-180" or "2,4,6-9", from \p lowest on. \throws option_error.
+std::vector<int> numbers_of_list(const std::string& list, const std::string& name, int lowest) {
     std::vector<int> numbers;
     const auto number = [&](std::string_view text) {
         int read = -1;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
-        if (error != std::errc() || end != text.data() + text.size() || read < 0 || read > most_columns)
-            throw document::option_error(name + " = \"" + list + "\": must be whole numbers up to " +
-                                         std::to_string(most_columns) + ", such as \"2-180\" or \"2,4,6-9\"");
+        if (error != std::errc() || end != text.data() + text.size() || read < lowest || read > most_columns)
+            throw document::option_error(name + " = \"" + list + "\": must be whole numbers from " +
+                                         std::to_string(lowest) + " to " + std::to_string(most_columns) +
+                                         ", such as \"2-180\" or \"2,4,6-9\"");
         return read;
     };
     for (const std::string& part : split_at_commas(list)) {
@@ -179,14 +182,14 @@ std::vector<int> numbers_of_list(const std::string& list, const std::string& nam
 
 /// What of a file is measured: all of it, or one of its columns or channels.
 struct FilePart {
-    std::string file, key;
+    std::size_t file{};
     int number = 0;
 };
 
 }  // namespace
 
 MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<std::string>& names,
-                              const ProgressHook& progress) {
+                              const ProgressHook& progress, const std::vector<std::string>& contents) {
     const std::vector<std::string> files = without_folders(names);
     const SurfaceOptions& input = options.input;
     if (!input.columns.empty() && !input.channels.empty())
@@ -194,35 +197,30 @@ MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<s
                                      " are both given; must be one of them");
     const std::string key = !input.columns.empty() ? "columns" : !input.channels.empty() ? "channels" : "";
     std::vector<FilePart> parts;
-    for (const std::string& file : files) {
-        if (key.empty())
-            parts.push_back({file, key});
-        else
-            for (const int n : numbers_of_list(key == "columns" ? input.columns : input.channels, input.name(key)))
-                parts.push_back({file, key, n});
-    }
-    std::string file, bytes;  // of the last part
+    std::vector<int> numbers{0};
+    if (!input.columns.empty()) numbers = numbers_of_list(input.columns, input.name(key), 1);
+    if (!input.channels.empty()) numbers = numbers_of_list(input.channels, input.name(key), 0);
+    for (std::size_t file = 0; file < files.size(); ++file)
+        for (const int number : numbers) parts.push_back({file, number});
+    std::string bytes;  // of the file of the last part
     const auto measure = [&](MeasureOptions of_part, std::size_t i) {
         const FilePart& part = parts[i];
-        if (i == 0 || part.file != file) file = part.file, bytes = document::read_all(file);
-        of_part.input.file = file;
+        if (i == 0 || part.file != parts[i - 1].file)
+            bytes = contents.empty() ? document::read_all(files[part.file]) : contents[part.file];
+        of_part.input.file = files[part.file];
         of_part.input.columns.clear(), of_part.input.channels.clear();
         if (key == "columns") of_part.input.column = part.number;
         if (key == "channels") of_part.input.channel = std::to_string(part.number);
         MeasuredSurface measured = measure_surface(of_part, bytes, progress);
-        if (!key.empty()) {
-            const std::string which = key.substr(0, key.size() - 1) + " " + std::to_string(part.number);
-            measured.file += ", " + which;
-            measured.sha256 = document::sha256(measured.sha256 + " " + which);
-        }
+        if (!key.empty()) measured.file += ", " + key.substr(0, key.size() - 1) + " " + std::to_string(part.number);
         return measured;
     };
     const bool again = std::count(files.begin(), files.end(), "-") == 0;  // standard input is read once
     if (key.empty()) return measure_parts(options, parts.size(), measure, "file", again);
     MeasuredSurface pool = measure_parts(options, parts.size(), measure, key.substr(0, key.size() - 1), again);
     if (files.size() == 1 && !pool.parts.empty())
-        pool.file =
-            document::display_name(file) + ", " + key + " " + (key == "columns" ? input.columns : input.channels);
+        pool.file = document::display_name(files.front()) + ", " + key + " " +
+                    (key == "columns" ? input.columns : input.channels);
     return pool;
 }
 

@@ -63,9 +63,11 @@ using MeasurePart = std::function<MeasuredSurface(MeasureOptions, std::size_t)>;
 /// once, with a warning. \throws domain_error for parts of unlike kinds, or whose steps differ without one lambda_s.
 [[nodiscard]] MeasuredSurface measure_parts(MeasureOptions options, std::size_t count, const MeasurePart& measure,
                                             const std::string& noun = "file", bool again = true);
-/// The same of files, without_folders(). \throws as both.
+/// The same of files, without_folders(), or of their columns or channels. Not empty: \p contents in place of what the
+/// files hold. \throws as both.
 [[nodiscard]] MeasuredSurface measure_files(const MeasureOptions& options, const std::vector<std::string>& names,
-                                            const ProgressHook& progress = {});
+                                            const ProgressHook& progress = {},
+                                            const std::vector<std::string>& contents = {});
 /// \p names with the files of a folder in its place, in the order of their names, without those that begin with a dot.
 /// \throws domain_error for a folder without files.
 [[nodiscard]] std::vector<std::string> without_folders(const std::vector<std::string>& names);

@@ -136,13 +136,19 @@ FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string
                                  std::string(what) + " must be one of " + detail::choices_text<FormOf>() + more);
 }
 
-/// The radius of \p options, 0 where there is none. \throws option_error for one without its \p round form.
-double radius_of_form(const SurfaceOptions& options, bool round) {
+/// The radius of \p options, 0 where there is none. \throws option_error for one without its \p round form, domain_error
+/// for one that is not above half of \p side [m].
+double radius_of_form(const SurfaceOptions& options, bool round, double side) {
     if (options.radius.empty()) return 0;
     if (!round)
         throw document::option_error(options.name("radius") + " belongs to " + options.name("detrend") +
-                           " circle, sphere or cylinder; must not be given without it");
-    return parse_length(options.radius, options.name("radius"));
+                                     " circle, sphere or cylinder; must not be given without it");
+    const double radius = parse_length(options.radius, options.name("radius"));
+    if (!(radius > side / 2))
+        throw domain_error({.parameter = options.name("radius"),
+                            .value = document::shown_length(radius),
+                            .allowed = "more than half of the side of the surface, " + document::shown_length(side)});
+    return radius;
 }
 
 void refuse_cutoff(const SurfaceOptions& options) {
@@ -183,13 +189,13 @@ void refuse_parts(const SurfaceOptions& options) {
     for (const auto& [key, parts] : {std::pair("columns", &options.columns), std::pair("channels", &options.channels)})
         if (!parts->empty())
             throw document::option_error(options.name(key) + " = \"" + *parts +
-                               "\": must not be given where one surface is read");
+                                         "\": must not be given where one surface is read");
 }
 
 void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
     if (options.align != LineAlignment::none && input.surface.is_profile())
         throw document::option_error(options.name("align") + " = \"" + std::string(name_of(options.align)) +
-                           "\": must be none for a profile, which is one line");
+                                     "\": must be none for a profile, which is one line");
     document::about_file(options.file, [&] {
         clean(options, input.surface);
         for (std::string& hint : cleaning_hints(options, input.surface))
@@ -281,8 +287,8 @@ fstiff::MeasureOptions<double> options_for_profile(const SurfaceOptions& options
                            std::to_string(input.surface.map().columns()) + " x " +
                            std::to_string(input.surface.map().rows()) + " points); must be a profile");
     const Form form = form_of_profile(options);
-    const double radius = radius_of_form(options, form == Form::circle);
     const Profile<double>& read = input.surface.profile();
+    const double radius = radius_of_form(options, form == Form::circle, read.length());
     return document::about_file(options.file, [&] {
         fstiff::MeasureOptions<double> measuring = library_options(options);
         measuring.form = form;
@@ -301,16 +307,16 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
                            std::to_string(input.surface.profile().size()) + " points); must be a map");
     const MapForm form = options.detrend.empty() ? MapForm::plane : form_of<MapForm>(options, options.detrend, "map");
     refuse_cutoff(options);
-    const double radius = radius_of_form(options, form > MapForm::cubic);
     const HeightMap<double>& map = input.surface.map();
+    const double shorter =
+        std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
+    const double radius = radius_of_form(options, form > MapForm::cubic, shorter);
     return document::about_file(options.file, [&] {
         fstiff::MeasureOptions<double> measuring = library_options(options);
         measuring.map_form = form;
         measuring.form_radius = radius;
         measuring.height_step = input.surface.record.resolution;
-        require_cut_offs(
-            options, measuring, std::max(map.dx, map.dy),
-            std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy));
+        require_cut_offs(options, measuring, std::max(map.dx, map.dy), shorter);
         return measuring;
     });
 }
@@ -321,7 +327,9 @@ std::string form_name(const LevelledProfile<double>& levelled) {
 std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
 
 std::string radius_clause(double radius) {
-    return radius == 0 ? "" : (radius < 0 ? ", hollow, of radius " : " of radius ") + document::shown_length(std::abs(radius));
+    return radius == 0
+               ? ""
+               : (radius < 0 ? ", hollow, of radius " : " of radius ") + document::shown_length(std::abs(radius));
 }
 
 PreparedProfile<double> level_profile(const SurfaceOptions& options, const SurfaceInput& input) {

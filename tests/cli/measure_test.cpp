@@ -149,7 +149,12 @@ TEST_CASE("Columns and tables of one file are traces of one face, pooled as file
     }
     const std::string profile = "measure '" + one + "' --input-format profile ";
     test::check_refused(profile + "--columns 4-2", 2, {"--columns = \"4-2\"", "must rise"});
-    test::check_refused(profile + "--columns 2-x", 2, {"--columns = \"2-x\"", "whole numbers up to 4096"});
+    test::check_refused(profile + "--columns 2-x", 2, {"--columns = \"2-x\"", "whole numbers from 1 to 4096"});
+    test::check_refused(profile + "--columns 0-2", 2, {"--columns = \"0-2\"", "whole numbers from 1 to 4096"});
+    folder.write("columns.toml", "[surface]\nfrom = \"columns.csv\"\nformat = \"profile\"\ncolumns = \"2-4\"\n" + rest);
+    folder.write("files.toml", "[surface]\nfrom = [\"trace1.csv\", \"trace2.csv\", \"trace3.csv\"]\n" + rest);
+    const std::string scene = "run '" + folder / "columns.toml" + "' --format csv";
+    CHECK(test::run_fstiff(scene).out == test::run_fstiff("run '" + folder / "files.toml" + "' --format csv").out);
     test::check_refused(profile + "--columns 2-5", 3, {"columns.csv", "column = 5", "between 1 and 4"});
     test::check_refused(profile + "--columns 2 --channels 1", 2, {"--columns and --channels are both given"});
     test::check_refused(profile + "--columns 2-3 --scales", 2,
@@ -200,6 +205,8 @@ TEST_CASE("A round part is measured by its circle, whose radius is printed, with
     CHECK(test::contains(test::run_fstiff("measure - --detrend circle --radius '4 mm'", ring).out, "of radius 4 mm"));
     test::check_refused("measure - --radius '4 mm'", 2, {"--radius belongs to --detrend circle, sphere or cylinder"},
                         ring);
+    test::check_refused("measure - --detrend circle --radius '1 nm'", 3,
+                        {"--radius = 1 nm: must be more than half of the side of the surface, 2 mm"}, ring);
     test::check_refused("measure - --detrend circle --radius '-4 mm'", 3,
                         {"--radius = \"-4 mm\": must be greater than 0"}, ring);
     test::check_refused("measure - --detrend sphere", 2,

@@ -422,7 +422,7 @@ def test_reprs_frames_and_plots(rough_map, trace):
 
 @pytest.mark.parametrize("key", fstiff._core.surface_options())
 def test_every_option_of_the_table_is_a_keyword(key):
-    keywords = {*fstiff._surfaces.SurfaceOptions.__annotations__, "peaks", "window"}
+    keywords = {*fstiff._surfaces.SurfaceOptions.__annotations__, "peaks", "window", "columns", "channels"}
     assert keywords == set(fstiff._core.surface_options())
     with pytest.raises((TypeError, ValueError), match=f"{key} = <object|{key}: must name a file, not be of type object"):
         fstiff.measure("no such file", **{key: object()})
@@ -516,3 +516,22 @@ def test_two_threads_measure_at_once(rough_map, trace):
         thread.join()
     for i, one in enumerate(found):
         assert plain(dict(one)) == plain(dict(expected[i % 2]))
+
+
+def test_columns_of_one_file_are_traces_of_one_face(tmp_path):
+    random = np.random.default_rng(4)
+    x = np.arange(600.0)
+    traces = [1e-7 * np.cumsum(random.standard_normal(600)) for _ in range(3)]
+    files = []
+    for i, trace in enumerate(traces):
+        files.append(str(tmp_path / f"trace{i}.csv"))
+        np.savetxt(files[-1], np.column_stack([1e-6 * x, trace]), delimiter=",", header="x [m],z [m]", comments="", fmt="%.17g")
+    one = str(tmp_path / "columns.csv")
+    head = "x [m]," + ",".join(f"z{i} [m]" for i in range(3))
+    np.savetxt(one, np.column_stack([1e-6 * x, *traces]), delimiter=",", header=head, comments="", fmt="%.17g")
+    pooled = fstiff.measure(one, format="profile", columns="2-4")
+    assert pooled.rms_height.value == fstiff.measure(files).rms_height.value
+    assert len(pooled["files"]) == 3
+    assert pickle.loads(pickle.dumps(pooled)) == pooled
+    with pytest.raises(ValueError, match="columns = .*must not be given where one surface is read"):
+        fstiff.measure(traces[0], spacing=1e-6, columns="2-4")
