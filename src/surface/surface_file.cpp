@@ -136,8 +136,8 @@ FormOf form_of(const SurfaceOptions& options, std::string_view name, std::string
                                  std::string(what) + " must be one of " + detail::choices_text<FormOf>() + more);
 }
 
-/// The radius of \p options, 0 where there is none. \throws option_error for one without its \p round form, domain_error
-/// for one that is not above half of \p side [m].
+/// The radius of \p options, 0 where there is none. \throws option_error for one without its \p round form,
+/// domain_error for one that is not above half of \p side [m].
 double radius_of_form(const SurfaceOptions& options, bool round, double side) {
     if (options.radius.empty()) return 0;
     if (!round)
