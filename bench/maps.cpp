@@ -110,7 +110,7 @@ private:
             const Eigen::ArrayXd z = across ? Eigen::ArrayXd(map.heights.col(at)) : Eigen::ArrayXd(map.heights.row(at));
             const fstiff::Profile<double> row{std::vector<double>(z.begin(), z.end()), map.dx};
             all.push_back(fstiff::height_statistics(row));
-            shape.add(row);
+            shape.add(row, fstiff::autocorrelation(row));
         }
         const auto of = fstiff::pooled(all, std::vector<double>(all.size(), 1.0));
         const std::string name = std::to_string(count) + (count == 1 ? " row" : " rows");
