@@ -133,7 +133,7 @@ TEST_CASE("Resistances are one over the conductance of the nominal area, with it
     }
     CHECK(joint.curves.front().value_at(1, electrical_resistance, error));
     const auto asked = [&](const std::string& quantity, const std::string& more) {
-        return refusal(surface + "material.upper = \"steel\"\n" + contact + more + "[output]\nquantities = [\"" +
+        return refusal("material.upper = \"steel\"\n" + surface + contact + more + "[output]\nquantities = [\"" +
                        quantity + "\"]\n");
     };
     CHECK(test::contains(asked("resistance", ""), "contact.nominal_area or contact.washer"));

@@ -137,7 +137,9 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid(const ContactInputs& inputs) {
         if (!inputs.similar) return hybrid_of_numbers(inputs);
         return std::make_unique<QuickContact<Itself>>(inputs, hybrid_of_numbers, Itself());
     }
-    return over_shifts(inputs, [&](const auto& summits, auto shift) { return hybrid_of_map(inputs, summits, shift); });
+    return over_shifts(inputs, [&](const Summits<double>& summits, std::size_t shift) {
+        return hybrid_of_map(inputs, summits, shift);
+    });
 }
 
 /// Yielded peaks, from numbers: the cut of a Gaussian surface.

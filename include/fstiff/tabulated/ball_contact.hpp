@@ -110,7 +110,7 @@ template <Real T>
             system.row(i) /= size, rest[i] /= size;
         }
         const Vector step = math::PivotedQr<double>(system).solve(rest);
-        const double longest = step.head(rings).cwiseAbs().maxCoeff(), shortened = std::min(1.0, 2 / longest);
+        const double longest = step.head(rings).cwiseAbs().maxCoeff(), shortened = (std::min)(1.0, 2 / longest);
         ln_p -= shortened * step.head(rings);
         delta -= shortened * step[rings];
         if (longest < 1e-10) break;
