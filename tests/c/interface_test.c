@@ -516,9 +516,9 @@ static void test_measurement(void) {
     check_measured("map/measured", &surface);
     CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], NULL, &surface) == FSTIFF_OK);
     check_measured("map/default", &surface);
-    options.detrend = "sphere";
+    options.detrend = "ellipsoid";
     CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_REFUSED);
-    CHECK(strstr(fstiff_last_message(), "sphere"));
+    CHECK(strstr(fstiff_last_message(), "ellipsoid"));
     free(heights);
     free(sides);
 }
