@@ -3,7 +3,7 @@
 """What it costs to compile, as multiples of a file with Eigen alone.
 
     tools/check_cost.py program --compiler g++ --eigen /usr/include/eigen3
-            the README's first program beside the file: what g++ allocates, which no load changes, and the size of its object
+            the README's first program next to the file: what g++ allocates, which no load changes, and the size of its object
     tools/check_cost.py code build/release
             the README's two commands, by what does not depend on the machine or its load: translation units, and bytes of code
             and constants in their objects, of the command and of everything
