@@ -27,7 +27,8 @@ difference = functools.partial(same_numbers.difference, of_one=("matrix", "measu
 # 4e-10 K there, to 1e-5 of itself, the rounding of K.
 ITERATED = {"tolerance": 1e-7, "of_errors": 1e-4}
 problems = []
-ANSWERED = "!document.getElementById('answer').hidden && document.getElementById('working').hidden"
+ANSWERED = ("(e => !e.hidden && 'milliseconds' in e.dataset)(document.getElementById('answer')) "
+            "&& document.getElementById('working').hidden")
 REFUSED = "!document.getElementById('problem').hidden && document.getElementById('working').hidden"
 
 
@@ -69,8 +70,8 @@ def done(page, holds=ANSWERED):
 
 
 def answer_to(page, act):
-    """Waits for a new answer after \\p act."""
-    page.run("document.getElementById('answer').hidden = true")
+    """Waits for a new answer after \\p act. The old one stays on the page: hidden, it would take the focus from its button."""
+    page.run("delete document.getElementById('answer').dataset.milliseconds")
     act()
     done(page)
 
