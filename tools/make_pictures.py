@@ -28,7 +28,7 @@ with style():
 open("{}.svg", "w", encoding="utf-8").write(file_of(of))"""
 # Name of each picture, and the commands that draw it, in a folder with copies of docs, data and a folder of examples.
 PICTURES = {
-    "built_in": ("run data/built_in.toml",),
+    "ground_plates": ("run data/ground_plates.toml",),
     "stiffness": ("run docs/stiffness.toml",),
     "first_curve": ("run first-curve.toml",),
     "trace_scales": (TRACE, "fstiff.measure('trace.csv').scales()"),
@@ -50,13 +50,10 @@ def scenes(folder):
 
 wanted, (*check, command) = {}, sys.argv[1:]
 command = pathlib.Path(command).resolve()
-if (ROOT / "../shared/surfaces/matrix-3.txt").exists():
-    PICTURES["afm_map"] = ("run docs/afm_map.toml",)
 with tempfile.TemporaryDirectory() as name:
     work = pathlib.Path(name) / "work"
     for part in ("docs", "data", "examples/interface"):
         shutil.copytree(ROOT / part, work / part)
-    pathlib.Path(name, "shared").symlink_to(ROOT.parent / "shared")  # docs/afm_map.toml reads ../../shared
     scenes(work)
     os.chdir(work)
     for picture, (*before, last) in PICTURES.items():

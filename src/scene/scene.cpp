@@ -26,7 +26,7 @@ std::vector<Assumed> assumed(const Scene& scene) {
     if (!scene.face.hurst) {
         const double hurst = hurst_exponent(scene.face),
                      least = detail::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
-        assumptions.push_back({"hurst", "H",
+        assumptions.push_back({"hurst", "Hurst",
                                hurst == least           ? "of a band as wide as what was measured"
                                : scene.face.dimension() ? "2 - D"
                                                         : "assumed, since D is not known",
@@ -51,7 +51,7 @@ std::string phrase_of(const detail::Prior& prior, const detail::Face& face) {
             case Unknown::height: return prior.origin == Origin::mean_height ? "Ra/Rq" : "Sa/Sq";
             case Unknown::gradient: return "rms gradient";
             case Unknown::alpha: return "alpha";
-            case Unknown::hurst: return "H";
+            case Unknown::hurst: return "Hurst";
             case Unknown::hardness: break;  // of no face
             case Unknown::skewness: return "skewness";
             case Unknown::kurtosis: return "kurtosis";

@@ -102,7 +102,7 @@ struct NamedFace {
 
 /// H or alpha of a spectrum that is a band: not given, so taken from other numbers or for a usual one.
 struct Assumed {
-    std::string_view key, symbol;  ///< "hurst" and "H", "alpha" and "alpha"
+    std::string_view key, symbol;  ///< "hurst" and "Hurst", "alpha" and "alpha"
     std::string how;               ///< where the value comes from
     double value;
 };

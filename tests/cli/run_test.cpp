@@ -145,8 +145,6 @@ TEST_CASE("The answer of every measured surface is one screen of a hundred colum
             check_screen(test::run_fstiff("run --surface '" + folder + "/" + file + "'"));
     }
     CHECK(shown >= 16);
-    const std::string scene = FSTIFF_SCENES "/../docs/afm_map.toml";
-    check_screen(test::run_fstiff("run '" + scene + "'"));
 }
 
 TEST_CASE("The summary shows every law that is named at decades of the pressure, what it is, and K over the answer") {

@@ -290,8 +290,8 @@ TEST_CASE("Every row of the priors is in order, and holds the Gaussian surface o
     }
 }
 
-TEST_CASE("docs/scene.md has every prior") {
-    std::ifstream file(FSTIFF_TEST_DATA "/../../docs/scene.md", std::ios::binary);
+TEST_CASE("docs/inputs.md has every prior") {
+    std::ifstream file(FSTIFF_TEST_DATA "/../../docs/inputs.md", std::ios::binary);
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     const auto three = [](const PriorRange& range) {
         char text[80];

@@ -255,16 +255,16 @@ TEST_CASE("A scene of five lines gives K of a joint with a measured trace") {
     CHECK(rows.number(0, "approach_m") > 0);
 }
 
-TEST_CASE("data/bolted_joint.toml is the joint that docs/scene.md describes") {
+TEST_CASE("data/bolted_joint.toml is the joint that docs/finite_elements.md describes") {
     const std::string text = test::read(FSTIFF_SCENES "/bolted_joint.toml");
     const auto results = test::results_of(text);
     CHECK(test::relative_error(results.modulus, 1 / (compliance(210e9, 0.3) + compliance(110e9, 0.26))) < 1e-14);
-    const std::string docs = test::read(FSTIFF_SCENES "/../docs/scene.md");
+    const std::string docs = test::read(FSTIFF_SCENES "/../docs/finite_elements.md");
     CHECK(test::contains(docs, text.substr(text.find("[material]"))));
 }
 
-TEST_CASE("The table of materials of docs/scene.md is that of the library") {
-    const std::string docs = test::read(FSTIFF_SCENES "/../docs/scene.md");
+TEST_CASE("The table of materials of docs/hardness.md is that of the library") {
+    const std::string docs = test::read(FSTIFF_SCENES "/../docs/hardness.md");
     for (const auto& one : fstiff::detail::named_materials) {
         const auto cell = [](double value, int digits = 6) { return " | " + document::rounded(value, digits); };
         const auto [low, middle, high] = one.hardness();

@@ -260,10 +260,10 @@ def alone(desk, site, source, figures):
                 check(not wrong, f"{url}: {wrong}")
         server.shutdown()
     check(set(Quiet.asked) <= {"/", "/page.css", "/page.js", "/engine.js"}, f"the server was asked for {Quiet.asked}")
-    rows = re.findall(r"^\| `(\S+)` \|[^|]*(?:\| [\d.]+ ){3}\| [\d.]+, ", (source / "docs/scene.md").read_text(encoding="utf-8"), re.M)
+    rows = re.findall(r"^\| `(\S+)` \|[^|]*(?:\| [\d.]+ ){3}\| [\d.]+, ", (source / "docs/hardness.md").read_text(encoding="utf-8"), re.M)
     with desk.page() as page:
         offered = page.run("[...document.getElementById('upper').options].map(o => o.value)")
-    check(rows and offered[:-1] == rows, f"materials {offered}, and in docs/scene.md {rows}")
+    check(rows and offered[:-1] == rows, f"materials {offered}, and in docs/hardness.md {rows}")
 
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
