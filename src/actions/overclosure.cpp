@@ -86,9 +86,10 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
     const double from = options.from ? *options.from : *least, to = options.to ? *options.to : *greatest;
     detail::require_positive(least_name, from);
-    detail::require(to > from, most_name, to,
-                    "greater than " + least_name + ", " + document::shortest(from) + " Pa" +
-                        (*least == *greatest ? "; the scene has only one pressure" : ""));
+    detail::require(
+        to > from, most_name, to,
+        "greater than " + least_name + ", " + document::shortest(from) + " Pa" +
+            (*least == *greatest && !(options.from && options.to) ? "; the scene has only one pressure" : ""));
 
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};

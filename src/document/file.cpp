@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace fstiff::document {
 
@@ -111,6 +112,41 @@ std::string printable(std::string_view text, std::string_view kept) {
 std::string exact(double value) { return number(value, 17); }
 std::string rounded(double value, int digits) { return without_small_exponent(number(value, digits)); }
 std::string shortest(double value) { return detail::shortest_text(value); }
+
+namespace {
+
+/// How many letters must be put in, left out, replaced or swapped with their neighbour to make \p a of \p b.
+std::size_t edits(std::string_view a, std::string_view b) {
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i)
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                d[i][j] = i + j;
+                continue;
+            }
+            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+    return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string suggestion(std::string_view wrong, const std::vector<std::string>& words) {
+    constexpr std::size_t longest = 64;  // of a word that somebody mistyped
+    if (wrong.size() > longest) return "";
+    std::size_t least = wrong.size() / 3 + 1;
+    std::string nearest;
+    for (const std::string& word : words)
+        if (const std::size_t distance = edits(wrong, word); distance < least + (nearest.empty() ? 1 : 0))
+            least = distance, nearest = word;
+    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+}
+
+std::string list_and_suggestion(std::string_view wrong, std::span<const std::string_view> words) {
+    return list_of(words) + suggestion(wrong, {words.begin(), words.end()});
+}
 
 std::string list_of(std::span<const std::string_view> items) {
     std::string text;

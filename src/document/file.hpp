@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fstiff::inline v0_1::io {
 enum class Dimension;
@@ -67,5 +68,9 @@ auto about_file(const std::string& file, const Call& call) {
 [[nodiscard]] std::string shortest(double value);
 /// \p items quoted as "a", "b", "c".
 [[nodiscard]] std::string list_of(std::span<const std::string_view> items);
+/// " (did you mean X?)" for the nearest of \p words, or nothing where none is near.
+[[nodiscard]] std::string suggestion(std::string_view wrong, const std::vector<std::string>& words);
+/// list_of with the suggestion after it: all \p words, and the nearest of them.
+[[nodiscard]] std::string list_and_suggestion(std::string_view wrong, std::span<const std::string_view> words);
 
 }  // namespace fstiff::document

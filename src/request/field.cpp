@@ -243,7 +243,8 @@ std::uint64_t count(const Value& value, std::string_view key, const Field& field
 
 std::size_t word(const Value& value, std::string_view key, const std::vector<std::string_view>& words) {
     const auto place = std::find(words.begin(), words.end(), value.kind == Kind::text ? value.written : "");
-    if (place == words.end()) refuse(value, key, "must be one of " + document::list_of(words));
+    if (place == words.end())
+        refuse(value, key, "must be one of " + document::list_and_suggestion(value.written, words));
     return static_cast<std::size_t>(place - words.begin());
 }
 

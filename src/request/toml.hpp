@@ -151,7 +151,8 @@ public:
         for (const auto& [key, node] : table)
             if (std::find(valid.begin(), valid.end(), key.str()) == valid.end())
                 throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": unknown key; valid keys" +
-                                   (path_.empty() ? "" : " of " + path_) + " are " + list_of(valid));
+                                   (path_.empty() ? "" : " of " + path_) + " are " +
+                                   document::list_and_suggestion(key.str(), valid));
     }
     std::string key(std::string_view name) const { return (path_.empty() ? "" : path_ + ".") + std::string(name); }
     /// The place of the section itself, for messages.

@@ -160,7 +160,7 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
          "[\"speed\"]",
          {":17: output.quantities[0] = \"speed\"", "\"approach\"",
           "\"stiffness\", \"separation\", \"real_area\", \"contacts\""}},
-        {"rms_height", "rms_heigth", {":3: surface.rms_heigth", "unknown key", "\"rms_height\""}},
+        {"rms_height", "rms_heigth", {":3: surface.rms_heigth", "unknown key", "(did you mean rms_height?)"}},
         {"[output]", "[outputs]", {"outputs", "unknown key", "\"output\""}},
         {"[surface]", "[surfaces]", {"unknown key", "\"surface\""}},
         {"[material.upper]", "[material.uper]", {"material.uper", "unknown key", "\"upper\", \"lower\""}},

@@ -20,32 +20,6 @@ extern const char* const bash_completion;  // of input/completion.bash
 
 namespace {
 
-/// How many letters must be put in, left out, replaced or swapped with their neighbour to make \p a of \p b.
-std::size_t edits(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i)
-        for (std::size_t j = 0; j <= b.size(); ++j) {
-            if (i == 0 || j == 0) {
-                d[i][j] = i + j;
-                continue;
-            }
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-        }
-    return d[a.size()][b.size()];
-}
-
-/// " (did you mean X?)" for the nearest of \p words, or nothing where none is near.
-std::string suggestion(const std::string& wrong, const std::vector<std::string>& words) {
-    std::size_t least = wrong.size() / 3 + 1;
-    std::string nearest;
-    for (const std::string& word : words)
-        if (const std::size_t distance = edits(wrong, word); distance < least + (nearest.empty() ? 1 : 0))
-            least = distance, nearest = word;
-    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
-}
-
 /// Names of all commands, or of those that --help lists.
 std::vector<std::string> command_names(const CLI::App& program, bool listed = false) {
     std::vector<std::string> names;
@@ -66,8 +40,8 @@ Usage no_command(const CLI::App& program, const std::string& word) {
     std::string names;
     for (const std::string& name : command_names(program, true)) names += (names.empty() ? "" : ", ") + name;
     return Usage(word + ": is not a subcommand or option; must be one of " + names +
-                 suggestion(word, word.starts_with("-") ? option_names(program) : command_names(program)) + "; see " +
-                 program.get_name() + " --help");
+                 document::suggestion(word, word.starts_with("-") ? option_names(program) : command_names(program)) +
+                 "; see " + program.get_name() + " --help");
 }
 
 bool is_existing_file(const std::string& word) {
@@ -87,7 +61,8 @@ Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
             text += " (" + unknown.front() + " begins with - as an option does; such a file is given as ./" +
                     unknown.front() + ")";
         else if (!unknown.empty() && unknown.front().starts_with("--"))
-            text += suggestion(unknown.front().substr(0, unknown.front().find('=')), option_names(*chosen.front()));
+            text += document::suggestion(unknown.front().substr(0, unknown.front().find('=')),
+                                         option_names(*chosen.front()));
     }
     return Usage(text + "; see " + help + " --help");
 }
