@@ -2,6 +2,7 @@
 // Truth: tests/data/bem_maps.csv, by another code, on three maps (tests/data/bem_map_*.f32); the wave of Westergaard,
 // closed.
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include "support/accuracy.hpp"
@@ -130,6 +131,24 @@ TEST_CASE("pressures cut at the hardness: area p/H in the limit, and a stiffer c
     CHECK(soft.below_hardness < soft.contact_fraction * static_cast<double>(map.size()) / 4);
     CHECK(soft.loading_stiffness < soft.stiffness / 4);
     CHECK(test::refusal([&] { (void)plastic.at_pressure(H); }).find("less than the hardness") != std::string::npos);
+}
+
+TEST_CASE("a few points at the hardness carry the load that is asked for") {
+    // 10 to 100 points in contact: the search ends in a step or two, where the next direction is rounding alone
+    for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+        const auto map =
+            self_affine_map<double>({.hurst = 0.7, .rms = 1, .longest_wavelength = 20, .seed = seed}, 32, 32, 1, 1);
+        for (const double hardness : {0.003, 0.01, 0.03}) {
+            BoundaryElements<double> solver(map, 1.0, {.hardness = hardness});
+            for (const double share : {0.002, 0.01, 0.02, 0.1}) {
+                const auto state = solver.at_pressure(share * hardness);
+                CAPTURE(seed, hardness, share);
+                CHECK(state.converged);
+                CHECK(state.contact_fraction >= share * (1 - 1e-12));
+                CHECK(test::relative_error(solver.pressures().mean(), share * hardness) < 1e-12);
+            }
+        }
+    }
 }
 
 TEST_CASE("previous solutions do not matter to the last digit") {

@@ -317,7 +317,8 @@ typename BoundaryElements<T>::Solution BoundaryElements<T>::solve_cut(T nominal,
         compliance_.deflect(response);
         const T curvature = (direction * response).sum();
         if (!(curvature > 0)) break;
-        const T along = (std::min)(T(1), -(gap * direction).sum() / curvature);
+        // downhill; where the direction is rounding alone its slope may have either sign
+        const T along = std::clamp(-(gap * direction).sum() / curvature, T(0), T(1));
         p_ += along * direction;
         gap += along * response;
         step = direction.square().sum() / curvature;
