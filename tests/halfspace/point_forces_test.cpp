@@ -102,10 +102,12 @@ TEST_CASE("forces that are spread over a grid deflect it as pressures do, and le
 }
 
 TEST_CASE("deflections of points are reciprocal, and points outside of the cell refused") {
-    const auto [x, y, force] = drawn(500, 1, 1);
+    const Points points = drawn(500, 1, 1);
+    const Values& x = points.x;
+    const Values& y = points.y;
     detail::PointForces<double> forces(x, y, 1, 1, Edges::mirrored);
-    const Values other = Values::LinSpaced(500, -1, 2), u = forces.deflections(force);
-    CHECK(test::relative_error((forces.deflections(other) * force).sum(), (u * other).sum()) < 1e-12);
+    const Values other = Values::LinSpaced(500, -1, 2), u = forces.deflections(points.force);
+    CHECK(test::relative_error((forces.deflections(other) * points.force).sum(), (u * other).sum()) < 1e-12);
     CHECK(test::refusal([&] { detail::PointForces<double>(x + 1, y, 1, 1, Edges::periodic); }).find("points") == 0);
     CHECK(test::refusal([&] { detail::PointForces<double>(x, y.head(3), 1, 1, Edges::periodic); }).find("points") == 0);
     CHECK(test::refusal([&] { detail::PointForces<double>(x, y, 0, 1, Edges::periodic); }).find("width") == 0);
