@@ -27,7 +27,7 @@ TEST_CASE("an integral over the peaks has the closed forms of 1, of t and of pow
     for (const double eta : {-1.0, 0.0, 2.0, 12.0})
         for (const auto& [a, b] :
              {std::pair(0.0, 0.0), std::pair(1.5, -0.5), std::pair(0.5, -0.5), std::pair(1.0, -1.0)}) {
-            const auto power = [a, b](double e, double t) { return std::pow(e, a) * std::pow(t, b); };
+            const auto power = [a = a, b = b](double e, double t) { return std::pow(e, a) * std::pow(t, b); };
             const auto truth = fstiff::contact_integral(a, b, peaks, eta);
             const auto found = peak_integral(power, peaks, eta);
             CHECK(std::abs(found.value - truth.value) <= found.error + truth.error);
