@@ -170,7 +170,7 @@ def tables_of_joints(judge):
         lines.append([joint_of(row), number(height), number(pressure), number(h), number(gap), f"{value:.2f}", span(low, high),
                       "yes" if covers else "no"])
     elastic = sum(low <= 1 <= high for *_, (_, low, high) in judge.joints(', hardness = "infinite"'))
-    head = ["joint", "roughness [µm]", "p [MPa]", "h measured", "of it the gap", "answer ÷ measured", "90 % band", "covers"]
+    head = ["joint", "roughness [µm]", "p [MPa]", "h measured", "h of the gap, computed", "answer ÷ measured", "90 % band", "covers"]
     fluids = [[medium, number(h), number(gap), f"{value:.2f}", span(low, high), "yes" if low <= 1 <= high else "no", told]
               for medium, h, gap, (value, low, high), told in judge.media()]
     return "\n".join(table(head, lines) + [f"The band covers {inside} of {len(lines)}; of metals that never yield it would cover {elastic}.", ""] +

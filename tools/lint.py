@@ -5,7 +5,7 @@
     tools/lint.py layers             who includes whom, umbrella headers, rows of docs/architecture.md, names of files
     tools/lint.py layers --update    writes the umbrella headers
     tools/lint.py glossary           the names and rows of docs/glossary.md
-    tools/lint.py words [FILE ...]   no prose has a word of the last table of docs/glossary.md; comments have 120 columns
+    tools/lint.py words [FILE ...]   no prose has a word of the last table of CONTRIBUTING.md; comments have 120 columns
     tools/lint.py api                docs/api.md lists the public names; --update writes it
     tools/lint.py sizes              lines of files, of functions and of folders
     tools/lint.py snippets README.md --command build/release/bin/fstiff
@@ -233,13 +233,13 @@ def prose(path, name):
 
 
 def words(root, files=()):
-    """No slow word of docs/glossary.md in the prose of the project, and no line of a comment above 120 columns."""
-    rows = re.findall(r"^\| `([^`]+)` \| (.+?) \|$", read(root / "docs/glossary.md").partition("## Slow words")[2], re.M)
+    """No slow word of CONTRIBUTING.md in the prose of the project, and no line of a comment above 120 columns."""
+    rows = re.findall(r"^\| `([^`]+)` \| (.+?) \|$", read(root / "CONTRIBUTING.md").partition("## Slow words")[2], re.M)
     if not rows:
-        return ["docs/glossary.md: holds no table of slow words"]
+        return ["CONTRIBUTING.md: holds no table of slow words"]
     slow = re.compile(r"\b(?:" + "|".join(f"(?P<w{i}>{row[0]})" for i, row in enumerate(rows)) + r")\b", re.I)
     problems, count = [], 0
-    names = sorted({path.relative_to(root).as_posix() for pattern in PROSE for path in root.glob(pattern)} - {"docs/glossary.md"})
+    names = sorted({path.relative_to(root).as_posix() for pattern in PROSE for path in root.glob(pattern)})
     for name in names:
         if files and not name.startswith(tuple(files)):
             continue

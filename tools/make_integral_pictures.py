@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the two pictures of docs/integrals.md from the formulas of that page, without fstiff.
+"""Draws the two pictures of docs/theory-numerics.md from the formulas of that page, without fstiff.
 
     tools/make_integral_pictures.py            writes docs/integrand.svg and docs/convergence.svg
     tools/make_integral_pictures.py --check    exit code 1 when they would differ by more than 0.2 points, or when the
-                                               sentences of docs/integrals.md that give errors are not what comes out
+                                               sentences of docs/theory-numerics.md that give errors are not what comes out
 
 The truth of the errors is tests/data/integrals_plain.csv. Errors below 3e-14 are drawn there: they are rounding.
 """
@@ -156,5 +156,5 @@ def rows(results):
 found = errors()
 text = "\n".join(table(["rule", "evaluations", "relative error"], rows(found))).rstrip()
 sys.exit(write_or_check({DOCS / "integrand.svg": draw_integrand(), DOCS / "convergence.svg": draw_convergence(found),
-                         DOCS / "integrals.md": between_markers(DOCS / "integrals.md", convergence=text)},
+                         DOCS / "theory-numerics.md": between_markers(DOCS / "theory-numerics.md", convergence=text)},
                         "make_integral_pictures.py", sys.argv[1:] == ["--check"], 0.2))

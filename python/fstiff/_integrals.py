@@ -43,7 +43,7 @@ def peak_integral(
 
     Errors that `function` raises pass. ValueError: it returns another shape, or what is not finite; an argument is out of range.
     The value aims at `relative_tolerance`, 1.2e-14 to 0.1, and the error covers what is reached. Reference: the density (4.4) of
-    Buczkowski, Kleiber and Starzynski (2014); docs/integrals.md.
+    Buczkowski, Kleiber and Starzynski (2014); docs/theory-numerics.md.
     """
     import numpy as np
 

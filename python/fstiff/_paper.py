@@ -93,7 +93,7 @@ def figure_2() -> Picture:
 
 
 def longest_wave(specimen: Specimen) -> float:
-    """Longest wave of the Gaussian map whose sections have the S of the specimen and its rms height (docs/theory.md, section 2)."""
+    """Longest wave of the Gaussian map whose sections have the S of the specimen and its rms height (docs/theory-surface.md)."""
     h, unit = 2 - specimen.fractal_dimension, specimen.fractal_roughness
     level = specimen.structure_function(unit) / specimen.rms_height**2
     gammas = math.gamma(1 - h) / math.gamma(1 + h)

@@ -89,7 +89,7 @@ TEST_CASE("K, its ends, the loading stiffness and the approach of 400 random joi
                 CHECK(at.stiffness.low >= last->stiffness.low);
                 CHECK(at.stiffness.high >= last->stiffness.high);
                 CHECK(at.approach > last->approach);
-                // above half the hardness the mean planes approach ever faster (theory.md, section 10)
+                // above half the hardness the mean planes approach ever faster (theory-contact.md, section 10)
                 const auto& range = joint.upper.hardness_range;
                 const double H = range ? range->middle : *joint.upper.hardness;
                 if (at.loading_stiffness && at.pressure < 0.5 * H)

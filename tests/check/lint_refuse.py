@@ -142,7 +142,7 @@ SIZES = [
     ("include/a.h head: has 16 lines, more than 15", "include/a.h", "#pragma once\n/// \\file\n" + 15 * "///\n"),
     ("", "include/a.h", "/// \\file\n" + 14 * "/// a\n" + "\n" + 20 * "/// b\n"),
 ]
-SLOW = ("docs/glossary.md", "## Slow words\n\n| pattern | write |\n|---|---|\n| `beside` | \"with\" |\n| `stands?` | \"is\" |\n")
+SLOW = ("CONTRIBUTING.md", "## Slow words\n\n| pattern | write |\n|---|---|\n| `beside` | \"with\" |\n| `stands?` | \"is\" |\n")
 PROSE = [(expected, *SLOW, name, text) for expected, name, text in (
     ("docs/a.md:2: 'Beside': write \"with\"", "docs/a.md", "Words\nBeside\n"),
     ("", "docs/a.md", "Outside, `beside` [b](beside.md) besides.\n```\nbeside\n```\n"),
@@ -156,7 +156,7 @@ PROSE = [(expected, *SLOW, name, text) for expected, name, text in (
     ("tools/a.py:2: 'beside'", "tools/a.py", "b = 1\n# beside it\n"),
     ("include/a.h:1: a comment above 120 columns", "include/a.h", "//" + 60 * " a" + "\n"),
     ("", "include/a.h", "//" + 59 * " a" + "\n" + 'f("' + 130 * "a" + '");\n'))]
-PROSE.append(("holds no table of slow words", "docs/glossary.md", "## Slow words\n"))
+PROSE.append(("holds no table of slow words", "CONTRIBUTING.md", "## Slow words\n"))
 SNIPPETS = [
     ("", f"Words.\n\n{PROGRAM}It prints\n```text\n[2];\n```\n"),
     ("", f"{PROGRAM}```toml\n[3]\n```\n```text\n[2];\n```\n"),

@@ -53,7 +53,7 @@ struct ThreePowers {
     static constexpr double area_factor() { return 5; }
 };
 
-/// A layer of springs, as in docs/architecture.md.
+/// A layer of springs, as in docs/extending.md.
 struct FoundationLaw {
     double thickness;
     static constexpr bool stiffness_is_slope = true;

@@ -78,7 +78,7 @@ inline constexpr auto names<LawName> = detail::name_list<LawName>({{LawName::fra
 //     low  = -sqrt(low(p*)^2 + sum low_i^2),  high = sqrt(high(p*)^2 + sum high_i^2)
 //
 // low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*, and by
-// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory.md, section 15.
+// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory-contact.md, section 15.
 //
 // Reference   docs/accuracy.md: boundary elements of maps of 19 kinds, seeds 10 to 13, and of 13 kinds of faces
 // Units       p* = p/(E g_rms), ln K

@@ -9,7 +9,7 @@
 ///     M   = [(2 - a1)/a1 + (2 - a2)/a2] 2 g/(g + 1)/Pr L              gas of mean free path L
 ///     h_r = 4 s T^3/(1/e1 + 1/e2 - 1)                                 radiation between grey faces
 ///
-/// Derivation: docs/theory.md, section 13.
+/// Derivation: docs/theory-applications.md, section 13.
 /// Reference   Barber, Proc. R. Soc. A 459 (2003) 53; Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182
 ///             (gap and M); Holm, Electric Contacts (1967), section 5 (film); media: at the table
 /// Units       k [W/(m K)] or [S/m], K [Pa/m], E [Pa], h [W/(m^2 K)] or [S/m^2], d, M, L [m], T [K]

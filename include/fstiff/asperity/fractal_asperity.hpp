@@ -9,7 +9,7 @@
 ///     family: l = G (omega/(q G))^(1/(2-D)),  R = l^2 q/(4 pi^2 omega),  area = q l^2/(4 pi)   (3.5), (3.6), (3.12)
 ///              load = 2/(3 pi) sqrt(q) l omega (times E),  k_n = d load/d omega                    eqs. (3.8), (3.10)
 ///
-/// Derivation: docs/theory.md, section 3. The slope under load of one asperity, l fixed, is smaller than k_n by f.
+/// Derivation: docs/theory-contact.md, section 3. The slope under load of one asperity, l fixed, is k_n/f.
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (3.1)-(3.14)
 /// Units       lengths [m], area [m^2]; loads and stiffnesses are divided by the effective modulus E: [m^2], [m]
 /// Valid       1 < D < 2, G > 0, l > 0, 0 <= l_t <= l, 0 < q <= 2 (the paper's omega <= delta is q <= 1)

@@ -8,7 +8,7 @@
 ///     KogutEtsionLaw   powers of s in four ranges: s < 1, < 6, < 110, beyond
 ///     all              stiffness 2 sqrt(area/pi) on unloading, as a wave sees it; the slope of the load is another
 ///
-/// Load and stiffness are divided by E. The fits jump by up to 8 % at their ends. Equations: docs/theory.md, section 3.
+/// Load and stiffness are divided by E. The fits jump by up to 8 % at their ends: docs/theory-contact.md, section 3.
 /// Reference   Abbott, Firestone, Mech. Eng. 55 (1933) 569; Jackson, Green, J. Tribol. 127 (2005) 343, 141 (2019)
 ///             031402, (28); Kogut, Etsion, J. Appl. Mech. 69 (2002) 657; Pharr et al., J. Mater. Res. 7 (1992) 613
 /// Units       omega, R [m]; load/E [m^2], stiffness/E [m], area [m^2]; moduli, Y and H [Pa]

@@ -7,7 +7,7 @@
 ///     K_hills : Hertz's law, joint peaks with theta -> 0, r = 1/sqrt(alpha), of the band cut where alpha is 6
 ///     A/A0    = P [1 + 0.36 (1-P)^(3/2)],  P = erf(sqrt(2) p/(E g)),  and n: of the whole band
 ///
-/// Derivation, bearing curves: docs/theory.md, section 9.
+/// Derivation, bearing curves: docs/theory-contact.md, section 9.
 /// Reference   this project: boundary elements (tools/make_broad.py); Nayak, J. Lubr. Technol. 93 (1971) 398
 /// Units       SI
 /// Valid       isotropic surfaces, alpha > 3/2; pressures up to 0.75 E g

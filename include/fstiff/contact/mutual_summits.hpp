@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of the summits of a map that push each other down. Derivation: docs/theory.md, section 7.
+/// Contact of the summits of a map that push each other down. Derivation: docs/theory-contact.md, section 7.
 ///
 ///     omega_i + sum_j g_ij F_j/E = z_i - d,   F_i = E c_i omega_i^(3/2),   p = sum F_i/A0
 ///     K = 1/A0 1^T (diag(1/k) + g/E)^(-1) 1,  k_i = (3/2) E c_i omega_i^(1/2)

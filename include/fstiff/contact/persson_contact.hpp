@@ -7,7 +7,7 @@
 ///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf B(erf s) exp(-s^2) ds/s
 ///     B   = gamma + (1-gamma) [3 (1-c) P^2 + 17 c P^16],    A/A0 = erf(sqrt(2) p/(E g)),  no number of contacts (0)
 ///
-/// G(q): rms gradient of all waves up to q (surface/spectrum.hpp). Derivation: docs/theory.md, section 8.
+/// G(q): rms gradient of all waves up to q (surface/spectrum.hpp). Derivation: docs/theory-contact.md, section 8.
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Yang, Persson, J. Phys. Condens. Matter 20 (2008) 215214
 ///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45); c = 1/4: this project
 /// Units       SI: m, Pa, Pa/m

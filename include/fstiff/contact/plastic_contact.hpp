@@ -8,7 +8,7 @@
 ///     -dd/dp = 1/K + (1 - w)^(1.2 - 0.6 s) (-dd_cut/dp)         s = p/H       c = K_cut (1 - s)/s
 ///
 /// K_cut is K of the highest points of the share s, held together, d_cut their level. d is negative above p = H/2. The
-/// number of contacts is not available: it is 0. Derivation: docs/theory.md, section 10.
+/// number of contacts is not available: it is 0. Derivation: docs/theory-contact.md, section 10.
 /// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159
 /// Units       SI
 /// Valid       0 < p < H within the reach of the elastic contact; compared up to 0.95 H, H/(E g) from 0.02 to 3

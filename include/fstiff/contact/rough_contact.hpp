@@ -10,7 +10,7 @@
 ///     const fstiff::RoughContact contact(roughness, peaks, fstiff::FractalLaw<double>(1.62), 112.6e9);
 ///     const double K = contact.at_pressure(10e6).stiffness.value;
 ///
-/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4; derivation: docs/theory.md, section 5
+/// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), section 4; docs/theory-contact.md, section 5
 /// Units       SI at the border: m, Pa, Pa/m, 1/m^2; eta = d/sigma, sigma_kappa = 3 sqrt(pi)/(8 R), eq. (4.10)
 /// Valid       separations from -1000 to 1e6 rms heights, and their pressures until they underflow (eta = 37)
 /// Accuracy    1e-13 at a separation and at a pressure for eta <= 4; each value carries its bound

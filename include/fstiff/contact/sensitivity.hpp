@@ -8,7 +8,7 @@
 ///     dJ[a,b]/dr     = a I[(zeta-eta)^(a-1) d/dt (t^b erf(k t))]         (by parts; b = -1: and its value at t = 0)
 ///     dJ[a,b]/dtheta = -J[a,b]/theta + dk/dtheta I[(zeta-eta)^a t^b d/dk erf(k t)]
 ///
-/// I has the normal density phi(zeta, t; r) in place of erf(k t) phi. Derivation: docs/theory.md, section 15.
+/// I has the normal density phi(zeta, t; r) in place of erf(k t) phi. Derivation: docs/theory-numerics.md, section 17.
 /// Reference   Plackett, Biometrika 41 (1954) 351-360 (by r); Abramowitz and Stegun, 25.3 (differences)
 /// Units       each derivative in Pa/m per unit of its parameter (SI)
 /// Valid       as RoughContact; factors and lengths of the law are held but for D. A law without powers: r > 0

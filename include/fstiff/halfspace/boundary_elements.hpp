@@ -7,7 +7,7 @@
 ///     u[t] = 1/K on the contact, t = 0 elsewhere, mean t = 1       with a hardness: p <= H, K of unloading
 ///     u[t] = 1/K_loading where 0 < p < H, t = 0 elsewhere          K_loading is -dp/dd on loading, K or less
 ///
-/// u[p] is that of an elastic half space that repeats or mirrors the map. Derivation: docs/theory.md, section 11.
+/// u[p] is that of an elastic half space that repeats or mirrors the map: docs/theory-contact.md, section 11.
 /// Reference   Stanley, Kato, J. Tribol. 119 (1997) 481; conjugate gradients: Polonsky, Keer, Wear 231 (1999) 206;
 ///             sets: Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2002) 865; the cut at H: Almqvist, Sahlin,
 ///             Larsson, Glavatskih, Tribol. Int. 40 (2007) 574, by Dai, Fletcher, Math. Program. 106 (2006) 403.

@@ -7,7 +7,7 @@
 ///     1/r = erfc(a r)/r + erf(a r)/r      the first summed over the images within r_c = 4.2/a, the second on a grid:
 ///                                         2/q erfc(q/(2a)), forces spread and read through a window of 10 points
 ///
-/// The images are those of a repeating or a mirrored cell. Derivation: docs/theory.md, section 11.
+/// The images are those of a repeating or a mirrored cell. Derivation: docs/theory-contact.md, section 11.
 /// Reference   Ewald, Ann. Phys. 369 (1921) 253, here for 1/r over a plane; Hockney, Eastwood, Computer Simulation
 ///             Using Particles (1988), ch. 8; window: Barnett et al., SIAM J. Sci. Comput. 41 (2019) C479
 /// Units       x, y, u [m], F/E [m^2]

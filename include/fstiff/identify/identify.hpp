@@ -7,7 +7,7 @@
 ///
 /// surface/parameter.hpp defines the fitted variable of each parameter; intervals are symmetric in it. Without
 /// errors e_i all points count alike and the covariance is scaled by chi^2. At most two of sigma, E D_p sqrt(R) and D
-/// can be found (docs/theory.md, section 15): a fit that asks for more is singular and names the parameters; one at an
+/// can be found (docs/theory-numerics.md): a fit that asks for more is singular and names the parameters; one at an
 /// end of D, r or theta is at_bound.
 ///
 /// Reference   this project; the derivatives of contact/sensitivity.hpp and wave/spring_interface.hpp

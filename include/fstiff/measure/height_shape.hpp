@@ -8,7 +8,7 @@
 ///     share = max(0, 1 - 0.8/(n D^2))               factor of skewness and of kurtosis - 3
 ///
 /// Skewness 0 and kurtosis 3 where neither differs from these values by more than two standard errors.
-/// Derivation  docs/theory.md, section 2
+/// Derivation  docs/theory-surface.md
 /// Reference   Bartlett, J. R. Stat. Soc. Suppl. 8 (1946) 27 (n); share: this project (docs/validation.md)
 /// Units       heights [m]; all else dimensionless
 /// Valid       form removed before, at least 16 points; missing points are left out

@@ -9,7 +9,7 @@
 ///     V        = max(V1, min(V2, 4 V1)) for a profile, max(V1, sqrt(V1 min(V2, 4 V1))) for a map, at most 1
 ///     error    (ln of v over the 5 % point of chi^2 with v degrees of freedom)/(2 1.645), v = 2/V, of ln sigma
 ///
-/// V: relative variance of sigma^2 for a Gaussian process; b gives the measured share. Derivation: docs/theory.md, 2.
+/// V: relative variance of sigma^2 for a Gaussian process; b gives the measured share: docs/theory-surface.md
 /// Reference   Wilson, Hilferty, Proc. Natl. Acad. Sci. 17 (1931) 684 (chi^2); heights in any unit
 /// Valid       pieces of at least 16 parts a side; one row for a profile
 /// Accuracy    quantile of ln sigma 1 % for v >= 4, 9 % at v = 2; waves of 15 half periods are low by 4 % due to the
@@ -147,7 +147,7 @@ void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& estimate, con
 //              s: error of ln sigma from the long waves
 //     L        root of the area of a map; length of a profile over sqrt 2
 //
-// Derivation  docs/theory.md, section 2; Reference: Sayles, Thomas, Nature 271 (1978) 431; prior: this project
+// Derivation  docs/theory-surface.md; Reference: Sayles, Thomas, Nature 271 (1978) 431; prior: this project
 // Units       lengths [m]; growth, H and shares dimensionless
 // Valid       side >= 0; Gaussian heights, one power law with one roll-off
 // Accuracy    the band of a piece contains sigma of a whole 4 or 8 times as long for 81 to 95 % of pieces without a

@@ -14,7 +14,7 @@
 /// Reference   Nayak (1971), Longuet-Higgins (1957), Kunsch (1989), Buczkowski et al. (2014), sections 2 to 4
 /// Units       SI
 /// Valid       form removed before, with level(); see detail::surface_parameters
-/// Accuracy    sums 1e-12; errors 0.7 to 1.4 times the scatter of 60 surfaces, exceptions in docs/theory.md, section 2
+/// Accuracy    sums 1e-12; errors 0.7 to 1.4 times the scatter of 60 surfaces, exceptions in docs/theory-surface.md
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/measure/height_sums.hpp>

@@ -33,7 +33,7 @@
 //
 // A single profile does not contain the length of the ridges, and K depends on it: by boundary elements a turned face
 // is 10 to 18 times stiffer than an isotropic one with the statistics of its profile.
-// Derivation  docs/theory.md, section 2
+// Derivation  docs/theory-surface.md
 // Reference   ISO 25178-2:2021 (Str); the limits 0.5 and 0.3 are this project's
 // Units       lags [m], the others dimensionless
 // Valid       profiles of at least 16 points; remove the form first

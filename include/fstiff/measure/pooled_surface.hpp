@@ -9,7 +9,7 @@
 ///     k                         t_(n-1)(0.95)/1.645 (Student): 3.84 for two measurements, 1.30 for five
 ///
 /// Where the tables choose different cut-offs, the longest is used for all measurements, and none where one has none.
-/// Derivation  docs/theory.md, section 2
+/// Derivation  docs/theory-surface.md
 /// Reference   Student, Biometrika 6 (1908) 1 (math/statistics.hpp); surface/moments.hpp
 /// Units       SI
 /// Valid       at least one measurement, all of one kind and with the same cut-offs; sizes > 0

@@ -7,7 +7,7 @@
 ///
 /// One mean structure function of second differences per direction is fitted. A map is anisotropic when D along x and
 /// y, over the lags of both windows, differ by more than 3 standard errors and 0.05, or the mean of ln S_x - ln S_y
-/// differs from 0 by more than 3 standard errors and 0.1. Errors: docs/theory.md, section 2.
+/// differs from 0 by more than 3 standard errors and 0.1. Errors: docs/theory-surface.md.
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.3)-(2.8)
 /// Units       lengths, G [m], S [m^2]
 /// Valid       maps of at least 16 points a side; remove the form first, at least a plane, with level()

@@ -8,7 +8,7 @@
 ///     sin^2(theta) = (3 - 4 rho1 + rho2)/(4 (1 - rho1))      r^2 = 2 (1 - rho1)^2/(3 - 4 rho1 + rho2)
 ///
 /// rho1, rho2: autocorrelation at one and two steps. r and theta are independent (docs/errata.md). Derivation, moments
-/// of t and limits: docs/theory.md, section 4.
+/// of t and limits: docs/theory-contact.md, section 4.
 ///
 /// Reference   Greenwood, Proc. R. Soc. Lond. A 393 (1984) 133-157; Buczkowski et al. (2014), eqs. (4.1)-(4.4), Fig. 2
 /// Units       dimensionless, theta in radians

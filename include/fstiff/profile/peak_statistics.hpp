@@ -8,7 +8,7 @@
 ///     sigma_kappa^2 = mean (z_(i-1) - 2 z_i + z_(i+1))^2 / h^4    = sigma^2 (6 - 8 rho1 + 2 rho2) / h^4
 ///     r = sigma_m^2 / (sigma sigma_kappa)   sin(theta) = h sigma_kappa / (2 sigma_m)   peaks over ordinates = theta/pi
 ///
-/// sigma_m uses both differences of each triple, so that sin(theta) <= 1. Derivation: docs/theory.md, section 2.
+/// sigma_m uses both differences of each triple, so that sin(theta) <= 1. Derivation: docs/theory-surface.md.
 /// Reference   Nayak (1971); Longuet-Higgins, Phil. Trans. A 250 (1957) 157; Greenwood, Proc. R. Soc. Lond. A 393
 ///             (1984) 133-157; Buczkowski et al., Arch. Mech. 66 (2014), eqs. (4.1)-(4.3)
 /// Units       m0 [m^2], m2 [1], m4 [1/m^2]; sigma [m], sigma_m [1], sigma_kappa [1/m], peaks per length [1/m]

@@ -7,7 +7,7 @@
 ///     S2(n h) = mean of (z_(i+n) - 2 z_i + z_(i-n))^2 over the triples that exist
 ///             = 4 S(tau) - S(2 tau)  in the mean, (4 - 2^(4-2D)) C tau^(4-2D)  for a power law S = C tau^(4-2D)
 ///
-/// Divisor::paper divides by pairs - 1, as (2.8) does. S2 does not depend on a tilt: docs/theory.md, section 2.
+/// Divisor::paper divides by pairs - 1, as (2.8) does. S2 does not depend on a tilt: docs/theory-surface.md.
 /// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.8), docs/errata.md; Istas, Lang, Ann. Inst. H.
 ///             Poincare (B) 33 (1997) 407; Kent, Wood, J. R. Stat. Soc. B 59 (1997) 679
 /// Units       lag [m], S, S2 [m^2]

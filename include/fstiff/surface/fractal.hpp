@@ -47,7 +47,7 @@ constexpr void require_fractal_dimension(T dimension) {
 //     g = Gamma(2D-3) sin((2D-3) pi/2) = pi / (2 Gamma(4-2D) sin(pi (D-1)))         regular at D = 1.5
 //
 // With `paper`, G of a true Weierstrass-Mandelbrot profile is some 3 to 5 times too large (docs/errata.md).
-// Derivation  docs/theory.md, section 2
+// Derivation  docs/theory-surface.md
 // Reference   Buczkowski et al., Arch. Mech. 66 (2014), eqs. (2.3), (2.4); Majumdar, Tien, Wear 136 (1990)
 // Units       c dimensionless; C in m^(2D-2); G [m]; gamma dimensionless
 // Valid       1 < D < 2 (c diverges at both ends), gamma > 1
@@ -127,7 +127,7 @@ template <Real T>
 //     Gaussian map     m2/m0   = 2 pi^2/lambda^2  H/(1-H)  (b^(2-2H) - 1)/(1 - b^(-2H))    b = lambda/shortest
 //
 // lambda: longest wave; H = 2 - D; the map has the spectrum of self_affine_map() with LongWaves::none. The shortest
-// wave follows from m2, which decides the number of islands. Derivation: docs/theory.md, section 2.
+// wave follows from m2, which decides the number of islands. Derivation: docs/theory-surface.md.
 // Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (2.1), (2.3); DLMF 10.22.43
 // Units       lengths [m], m2/m0 [1/m^2]; m2 is that of a profile
 // Valid       as Fractal; gamma > 1; 0 < H < 1

@@ -171,7 +171,7 @@ MaterialRatio<T> material_ratio(std::span<const T> heights) {
 //     Johnson  f = sinh((zeta + c)/w) (S_U)  or  f = 1/(1 + exp(-(zeta + c)/w)) (S_B), scaled to mean 0 and rms 1
 //
 // S_U for a kurtosis above that of a lognormal of this skewness, S_B below it; both numbers are matched exactly.
-// Derivation  docs/theory.md, section 2
+// Derivation  docs/theory-surface.md
 // Reference   ISO 25178-2:2021 (Sk ...); Johnson, Biometrika 36 (1949) 149 (S_U, S_B)
 // Units       heights in any unit; skewness and kurtosis dimensionless, the latter 3 for a Gaussian
 // Valid       Sk > 0, Spk, Svk >= 0, 0 <= Smr1 < Smr2 <= 1; |skewness| <= 3, least_kurtosis() <= kurtosis <= 100

@@ -126,7 +126,7 @@ template <Real T>
 //                     sin^2(theta) = mean of sin^2(theta), weighted by sigma_m^2
 //     D, G            S(tau) adds: the power law tangent to the sum at tau = D_p^(-1/2), the distance of the peaks
 //
-// Assumes independent heights and isotropic faces sampled at one step. Derivation: docs/theory.md, section 2.
+// Assumes independent heights and isotropic faces sampled at one step. Derivation: docs/theory-surface.md.
 // Reference   Nayak (1971); Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625; Buczkowski et al. (2014)
 // Units       SI
 // Valid       parameters in the range of Roughness, Fractal and PeakDistribution

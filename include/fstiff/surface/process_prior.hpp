@@ -9,7 +9,7 @@
 ///     g = sqrt(2) 2.3 (1.3 to 4.4) 2 pi sigma/RSm      from the mean spacing of a profile
 ///     m2 = D_p sigma^2/0.0425, g^2 = 1.5 sigma/R       from R and D_p of islands
 ///
-/// Reference   docs/theory.md, section 2: sources of the slopes and of the ranges, of which several are second-hand
+/// Reference   docs/theory-surface.md: sources of the slopes and of the ranges, of which several are second-hand
 /// Units       sigma, R [m], D_p [1/m^2], RSm [m]; all else dimensionless
 /// Valid       sigma 0.01 to 30 um; the range of the slope widens beyond 0.1 to 10 um
 /// Accuracy    nine of ten surfaces, according to the sources and to this project's estimate

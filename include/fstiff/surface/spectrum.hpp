@@ -60,7 +60,7 @@ template <Real T>
 //     C(q) = C0 q_rolloff^(-2-2H)  from q1 to q_rolloff,   C0 q^(-2-2H)  from there to q2
 //     q_rolloff = q1:  m0 = 2 pi C0 F(-2H)   m2 = pi C0 F(2-2H)   m4 = (3/4) pi C0 F(4-2H),  F(s) = (q2^s - q1^s)/s
 //
-// alpha = m0 m4/m2^2 fixes q2/q1 alone. Derivation: docs/theory.md, section 2.
+// alpha = m0 m4/m2^2 fixes q2/q1 alone. Derivation: docs/theory-surface.md.
 // Reference   Nayak, J. Lubr. Technol. 93 (1971) 398 (moments, alpha); Persson et al., J. Phys. Condens. Matter 17
 //             (2005) R1 (spectrum, Hurst exponent)
 // Units       q [rad/m], C0 such that C is in m^4, m0 [m^2], m2 dimensionless, m4 [1/m^2]

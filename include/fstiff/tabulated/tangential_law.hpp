@@ -9,7 +9,7 @@
 ///     q = k sum (u_b - u_a)/(x_b - x_a) [p(x_a) - p(x_b)]         any history: level x is dragged by u (slip_path.hpp)
 ///
 /// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Appl. Mech. 65 (1998) 998; levels as
-///             springs: Popov, Hess (2015), ch. 5; derivation: docs/theory.md, section 12
+///             springs: Popov, Hess (2015), ch. 5; derivation: docs/theory-applications.md, section 12
 /// Units       d, s [m], p, q [Pa], E, W [J/m^2], tangents [Pa/m]
 /// Valid       bodies of like elastic constants, Coulomb friction, a law whose K is -dp/dd: no peaks that flow
 /// Accuracy    that of the law, and 1e-15 mu p on straight paths (tests/tabulated/tangential_law_test.cpp, which also
@@ -34,7 +34,7 @@
 //     spots that flowed   P = (2/pi) [acos y - y sqrt(1 - y^2)],  y = pi x/4: equal ones, under the hardness all over
 //
 // Reference   tabulated/tangential_law.hpp; P of a flowed spot: Popov, Hess, Method of Dimensionality Reduction (2015),
-//             ch. 2; derivation: docs/theory.md, section 12
+//             ch. 2; derivation: docs/theory-applications.md, section 12
 // Units       dimensionless
 // Valid       x >= 0, 0 <= m < 2; beyond full slip P = 0. Like bodies, Coulomb friction
 // Accuracy    1e-13; with m between 0.6 p and p the loss factor of three laws is within 3 % of that of the law itself,

@@ -10,7 +10,7 @@
 ///     C_x(q) = L_x/pi sum over q_y of |h_(q, q_y)|^2      one-sided, as that of a profile; C_y likewise
 ///
 /// radial_spectrum() is for plots: its window changes the weights, and its shells end at the shortest wave of the
-/// coarser side. Derivation: docs/theory.md, section 2.
+/// coarser side. Derivation: docs/theory-surface.md.
 /// Reference   Nayak (1971); Jacobs et al., Surf. Topogr. 5 (2017) 013001, with (2 pi)^2 C, pi C_x; Makhoul (1980)
 /// Units       heights [m], q [rad/m], C [m^4], C_x and C_y [m^3]
 /// Valid       maps of at least 4 x 4 points, none missing; remove the form first
