@@ -187,8 +187,7 @@ class Report:
         lines += ["## Floors", "", self.floors(), ""]
         head = ["time", "largest relative error", "median", "evaluations"]
         for title, what, grid in (("All four integrals, plain grid", "four", "plain"), ("One integral (stiffness), plain grid", "stiffness", "plain"),
-                                  ("Stiffness and load, plain grid", "stiffness_load", "plain"), ("All four integrals, hard grid", "four", "hard"),
-                                  ("Stiffness and load, hard grid", "stiffness_load", "hard"), ("One integral, hard grid", "stiffness", "hard")):
+                                  ("All four integrals, hard grid", "four", "hard")):
             base, hard = self.ns(f"integrals/fstiff/{what}/{grid}/1e-12"), grid == "hard"
             body = []
             for method, setting, row in self.integrals(what, grid):
