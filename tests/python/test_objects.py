@@ -176,6 +176,7 @@ REFUSALS = [
     (lambda z: fstiff.measure(topography(z, (1,))), "its physical_sizes are (1,); must be lengths above 0 of its 2 axes"),
     (lambda z: fstiff.measure(topography(z, (1, -1))), "its physical_sizes are (1, -1); must be lengths above 0 of its 2 axes"),
     (lambda z: fstiff.measure(topography(z, None)), "its physical_sizes are None; must be lengths above 0 of its 2 axes"),
+    (lambda z: fstiff.measure(topography(z, (1, 1), ("um", None))), f"topography: heights {UNITS_MISSING}"),  # a phase
     (lambda z: fstiff.measure(topography(z[0], 1, is_uniform=False)), "topography: its points are not equally spaced"),
     (lambda z: fstiff.measure(data_array(z), column=2), "column: is an option of files; must not be given for an array"),
     (lambda z: fstiff.run(surface=[z]), "spacing: is missing; an array needs the distance of its points [m]"),
@@ -267,5 +268,9 @@ def test_a_file_that_only_surface_topography_reads_has_the_numbers_of_its_map(ro
     surface = fstiff.open_surface(tmp_path / "map.bcrf")
     np.testing.assert_allclose(surface.heights, heights * 1e-9, rtol=1e-6)
     assert surface.spacing == pytest.approx((1e-6, 1.5e-6)) and "by SurfaceTopography, since" in surface.decisions[0]
+    for compute in (fstiff.measure, fstiff.islands, fstiff.spectrum):
+        assert str(compute(tmp_path / "map.bcrf")) == str(compute(surface))
+    with pytest.raises(ValueError, match="units: must not be given for a surface that has its own"):
+        fstiff.measure(tmp_path / "map.bcrf", units="um")
     done = run("--surface", "map.bcrf", cwd=tmp_path)
     assert str(fstiff.run(surface=surface).answer) in done.stdout and done.returncode in (0, 4), done.stderr
