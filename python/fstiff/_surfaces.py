@@ -247,8 +247,8 @@ def _by_surface_topography(path: str, channel: str | int | None) -> Any:
 
 
 def is_of_form(refused: ValueError) -> bool:
-    """Whether a file was refused for its form, which no reader accepts: the sentence lists those of the readers."""
-    return "must be text (a profile" in str(refused)
+    """Whether a file was refused for its form: no reader accepts it, or the one for it is not built in."""
+    return any(words in str(refused) for words in ("must be text (a profile", "that holds no main.xml", "this program was built without"))
 
 
 def of_any_form(function: Function) -> Function:
