@@ -15,7 +15,7 @@ ACCURACY = """
 The documentation compares the bands with boundary elements on maps of {kinds} kinds of surfaces. On the {others} kinds that set no error of a
 law, the band of a measured map holds the stiffness in {map} % of the cases of each class of surfaces, and its median width, high over low
 end, is a factor of {map_width}; that of a trace holds it in {trace} %, with widths of {trace_width}; that of an rms height and an rms gradient in
-{numbers} %. Other seeds of these kinds were seen while earlier versions were written. On a second set, of faces as processes leave them, the band of
+{numbers} %. Earlier seeds of these kinds were seen while former versions were written. On a second set, of faces as processes leave them, the band of
 a map holds {faces_map} %, of a short trace {faces_trace} %, and of the two numbers {faces_numbers} % of the kinds that set none. Published
 simulations of one Gaussian surface lie within the band at all {loads} loads, and `hybrid` is {hybrid} times their stiffness. Of
 {joints} published conductances of metal joints the band from metals, finish and roughness holds {covered}; the others are lower, which wavy faces,
