@@ -4,7 +4,7 @@
 #     cpack -G TGZ    one archive of these components
 #     cpack --config CPackSourceConfig.cmake    the sources, without the build folder
 set(CPACK_PACKAGE_VENDOR "the fstiff authors")
-set(CPACK_PACKAGE_CONTACT "the fstiff authors")
+set(CPACK_PACKAGE_CONTACT "the fstiff authors")  # FILL IN: name <address>, the Maintainer of a .deb
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/packages-by-generator.cmake)
 set(CPACK_STRIP_FILES ON)

@@ -60,7 +60,8 @@ def grid_of(source: Any, name: str, steps: dict[str, Any], units: str | None) ->
             own_steps[key] = abs(step) * metres(own, of_lengths, f"{name}: {which}")
             heights = np.flip(heights, -1 if key == "dx" else -2) if step < 0 else heights
     as_an_array = steps and unit is None and units is None  # in m
-    return heights, 1.0 if as_an_array else metres(unit, of_heights, name), steps or own_steps
+    which = name if name.startswith("heights") else f"{name}: heights"
+    return heights, 1.0 if as_an_array else metres(unit, of_heights, which), steps or own_steps
 
 
 def of_topography(topography: Any, name: str) -> tuple[Any, list[Axis], Any]:
@@ -74,7 +75,8 @@ def of_topography(topography: Any, name: str) -> tuple[Any, list[Axis], Any]:
     if sizes.size != heights.ndim or not (sizes > 0).all():
         raise ValueError(f"{name}: its physical_sizes are {topography.physical_sizes}; must be lengths above 0 of its {heights.ndim} axes")
     unit = getattr(topography, "unit", None)
-    return heights, [("sizes", (0.0, size / max(points, 1)), unit) for size, points in zip(sizes, heights.shape)], unit
+    lengths, of_heights = unit if isinstance(unit, tuple) else (unit, unit)  # SurfaceTopography has two for what is no height
+    return heights, [("sizes", (0.0, size / max(points, 1)), lengths) for size, points in zip(sizes, heights.shape)], of_heights
 
 
 def of_xarray(array: Any, _: str) -> tuple[Any, list[Axis], Any]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 from . import _core
 from ._pictures import draw_spectrum
 from ._results import frame, lines_of, shown
-from ._surfaces import Document, Surface, one_source, options_of, surface_of
+from ._surfaces import Document, Surface, of_any_form, one_source, options_of, surface_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -56,6 +56,7 @@ class Peaks(Document):
         return f"<fstiff.Peaks from {self['from']}: " + ", ".join(f"{key} = {shown(self[key], 5)}" for key in numbers) + ">"
 
 
+@of_any_form
 def spectrum(
     surface: Source,
     *,

@@ -11,7 +11,7 @@ import os
 import pickle
 import warnings
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypedDict, TypeVar, Union, cast
 
 from . import _core
 from ._errors import FileError, named
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     Part: TypeAlias = tuple[Numbers, float, float, str, str]
 
 Made = TypeVar("Made")
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 class SurfaceOptions(TypedDict, total=False):
@@ -246,8 +247,23 @@ def _by_surface_topography(path: str, channel: str | int | None) -> Any:
 
 
 def is_of_form(refused: ValueError) -> bool:
-    """Whether a file was refused for its form, which no reader accepts: the sentence lists those of the readers."""
-    return "must be text (a profile" in str(refused)
+    """Whether a file was refused for its form: no reader accepts it, or the one for it is not built in."""
+    return any(words in str(refused) for words in ("must be text (a profile", "that holds no main.xml", "this program was built without"))
+
+
+def of_any_form(function: Function) -> Function:
+    """function(surface, ...) of a file that fstiff does not read, too, where SurfaceTopography reads it."""
+
+    @functools.wraps(function)
+    def compute(surface: Any, *arguments: Any, **options: Any) -> Any:
+        try:
+            return function(surface, *arguments, **options)
+        except ValueError as refused:
+            if not isinstance(surface, (str, os.PathLike)) or not is_of_form(refused):
+                raise
+        return function(open_surface(surface, options.pop("channel", None)), *arguments, **options)
+
+    return cast(Function, compute)
 
 
 def options_of(options: dict[str, Any]) -> dict[str, Any]:
@@ -555,6 +571,7 @@ class Truth(Document):
         return f"<fstiff.Truth of {self['map']}>\n{text_table(rows)}" + lines_of(self.warnings)
 
 
+@of_any_form
 def measure(
     surface: Source,
     *,
@@ -607,7 +624,7 @@ def with_surface(make: Callable[[str, _core.Measured | None], Made], surface: An
     except ValueError as refused:
         if not file or not is_of_form(refused):
             raise
-    return make("", measure(open_surface(file))._measured)
+    return make("", measure(file)._measured)
 
 
 def one_source(surface: Any, options: Any, **own: Any) -> tuple[dict[str, Any], _core.Heights]:
@@ -618,6 +635,7 @@ def one_source(surface: Any, options: Any, **own: Any) -> tuple[dict[str, Any], 
     return made, _core.Heights(*arrays[0]) if arrays else _core.Heights(None, 0.0, 0.0, "", "")
 
 
+@of_any_form
 def fit(
     surface: Source,
     *,
@@ -636,6 +654,7 @@ def fit(
     return Fit(_core.fit(*one_source(**locals())))
 
 
+@of_any_form
 def islands(
     surface: Source,
     *,
@@ -657,6 +676,7 @@ def islands(
     return Islands(_core.islands(*one_source(**locals())))
 
 
+@of_any_form
 def truth(
     surface: Source,
     pressures: npt.ArrayLike,

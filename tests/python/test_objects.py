@@ -6,6 +6,7 @@ import pickle
 import subprocess
 import sys
 import types
+import zipfile
 
 import numpy as np
 import pytest
@@ -176,6 +177,7 @@ REFUSALS = [
     (lambda z: fstiff.measure(topography(z, (1,))), "its physical_sizes are (1,); must be lengths above 0 of its 2 axes"),
     (lambda z: fstiff.measure(topography(z, (1, -1))), "its physical_sizes are (1, -1); must be lengths above 0 of its 2 axes"),
     (lambda z: fstiff.measure(topography(z, None)), "its physical_sizes are None; must be lengths above 0 of its 2 axes"),
+    (lambda z: fstiff.measure(topography(z, (1, 1), ("um", None))), f"topography: heights {UNITS_MISSING}"),  # a phase
     (lambda z: fstiff.measure(topography(z[0], 1, is_uniform=False)), "topography: its points are not equally spaced"),
     (lambda z: fstiff.measure(data_array(z), column=2), "column: is an option of files; must not be given for an array"),
     (lambda z: fstiff.run(surface=[z]), "spacing: is missing; an array needs the distance of its points [m]"),
@@ -236,7 +238,7 @@ def test_without_surface_topography_the_extra_is_named(tmp_path):
 
 def test_files_of_unknown_form_are_read_by_surface_topography(monkeypatch, rough_map, tmp_path):
     """By what stands in for it: which files it is asked for."""
-    opened, units = [], ["m", None]
+    opened, units = [], ["m", "m", None]
 
     def open_topography(path):
         opened.append(path)
@@ -248,15 +250,20 @@ def test_files_of_unknown_form_are_read_by_surface_topography(monkeypatch, rough
     monkeypatch.setitem(sys.modules, "SurfaceTopography.IO", module)
     file = str(tmp_path / "map.h5")
     (tmp_path / "map.h5").write_bytes(HDF5)
-    expected = fstiff.run(surface=fstiff.measure(rough_map, dx=1e-6, dy=1.5e-6)).answer
+    measured = fstiff.measure(rough_map, dx=1e-6, dy=1.5e-6)
+    expected = fstiff.run(surface=measured).answer
     np.testing.assert_allclose(fstiff.run(surface=file).answer.stiffness, expected.stiffness, rtol=1e-9)
+    with zipfile.ZipFile(book := str(tmp_path / "table.xlsx"), "w") as archive:  # a zip archive as X3P is
+        archive.writestr("xl/workbook.xml", "")
+    assert fstiff.measure(book).rms_height.value == pytest.approx(measured.rms_height.value, rel=1e-9)
     with pytest.raises(ValueError, match="map.h5: sizes have no units"):
         fstiff.run(surface=file)
-    assert opened == [file, file]
+    assert opened == [file, book, file]
+    opened.clear()
     (tmp_path / "map.txt").write_text("1 2 3 4\n1 2 3\n" * 9)
     with pytest.raises(ValueError, match="has 3 columns; must be 4"):
         fstiff.run(surface=tmp_path / "map.txt")
-    assert opened == [file, file]  # what is wrong with a text is not read in another way
+    assert not opened  # what is wrong with a text is not read in another way
 
 
 def test_a_file_that_only_surface_topography_reads_has_the_numbers_of_its_map(rough_map, tmp_path):
@@ -267,5 +274,9 @@ def test_a_file_that_only_surface_topography_reads_has_the_numbers_of_its_map(ro
     surface = fstiff.open_surface(tmp_path / "map.bcrf")
     np.testing.assert_allclose(surface.heights, heights * 1e-9, rtol=1e-6)
     assert surface.spacing == pytest.approx((1e-6, 1.5e-6)) and "by SurfaceTopography, since" in surface.decisions[0]
+    for compute in (fstiff.measure, fstiff.islands, fstiff.spectrum):
+        assert str(compute(tmp_path / "map.bcrf")) == str(compute(surface))
+    with pytest.raises(ValueError, match="units: must not be given for a surface that has its own"):
+        fstiff.measure(tmp_path / "map.bcrf", units="um")
     done = run("--surface", "map.bcrf", cwd=tmp_path)
     assert str(fstiff.run(surface=surface).answer) in done.stdout and done.returncode in (0, 4), done.stderr
