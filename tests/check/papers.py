@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is said of the project outside of its documents agrees with them: codemeta.json with CITATION.cff, paper/paper.md with
-docs/accuracy.md, published.md and benchmarks.md, which scripts make.
+"""What is said of the project outside of its documents agrees with them: codemeta.json with CITATION.cff; paper/paper.md, README.md and
+docs/trust.md with docs/accuracy.md, published.md and benchmarks.md, which scripts make.
 
     papers.py ROOT [--update]    ends with 1 and names what differs; --update writes the figures of the paper
 """
@@ -23,6 +23,15 @@ films and alloys would explain. The integrals agree with references to {integral
 general routine in one dimension; a contact at a given pressure takes {contact}, and a look-up of a tabulated law {look_up}, on the machine that the
 documentation names.
 """
+
+SHARES = {
+    "README.md": ("| a map | {map} % of each class of surface", "{faces_map} % of machined and natural faces, {grains} % of fused grains |",
+                  "{worn} % of worn ones, {plateaus} % of plateaus, {uneven} % of uneven ones |", "| {covered} of {joints} published conductances"),
+    "docs/trust.md": ("on {map} % of the maps of each class", "on {grains} % of\nfused grains", "| kurtotic | {kurtotic} % |", "| skewed | {skewed} % |",
+                      "| plateau with valleys | {plateaus} % |", "| worn | {worn} % |", "some places, smooth in others | {uneven} % |",
+                      "Of {joints} published conductances", "the band contains {covered},"),
+    "docs/worn-and-lubricated.md": ("contains {worn} % of worn faces and {plateaus} % of plateaus",),
+}
 
 
 def figures(root):
@@ -52,6 +61,12 @@ def figures(root):
     found["numbers"], _ = ends("height and gradient")
     for key, column in (("map", "map"), ("trace", "short trace"), ("numbers", "height and gradient")):
         found[f"faces_{key}"] = of_faces[column].partition(" %")[0]
+    by_kind, of_kinds = table("Other kinds and seeds"), table("Kinds that the bands were not set on")
+    for key, rows, name, column in (
+            ("worn", by_kind, "worn", "height and gradient"), ("kurtotic", by_kind, "kurtotic", "height and gradient"),
+            ("skewed", by_kind, "skewed", "height and gradient"), ("plateaus", of_kinds, "plateau with valleys", "height and gradient"),
+            ("uneven", of_kinds, "uneven", "height and gradient"), ("grains", of_kinds, "grains", "map")):
+        found[key] = rows[name][column].partition(" %")[0]
     found["integrals"] = row("four integrals, hard grid: largest relative error")[2]
     found["faster"] = row("than GSL in one dimension")[1]
     found["contact"] = row("a contact at a pressure, all quantities")[2]
@@ -84,6 +99,15 @@ def of_paper(root, update):
         yield f"cites what paper.bib lacks, or leaves out what it has: {sorted(cited ^ there)}"
 
 
+def of_pages(root):
+    found = figures(root)
+    for page, phrases in SHARES.items():
+        text = (root / page).read_text(encoding="utf-8")
+        for phrase in phrases:
+            if (wanted := phrase.format(**found)) not in text:
+                yield f"{page}: does not have what the documents give: {wanted}"
+
+
 def of_metadata(root):
     citation = (root / "CITATION.cff").read_text(encoding="utf-8")
     meta = json.loads((root / "codemeta.json").read_text(encoding="utf-8"))
@@ -103,7 +127,8 @@ def of_metadata(root):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    problems = [f"paper/paper.md: {problem}" for problem in of_paper(root, "--update" in sys.argv)] + list(of_metadata(root))
+    problems = [f"paper/paper.md: {problem}" for problem in of_paper(root, "--update" in sys.argv)]
+    problems += [*of_pages(root), *of_metadata(root)]
     print("\n".join(problems) or "paper and metadata agree with the documents")
     sys.exit(1 if problems else 0)
 
