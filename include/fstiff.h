@@ -337,9 +337,9 @@ FSTIFF_API int fstiff_peaks(const fstiff_heights* profile, const char* options, 
  * "rows", "columns", "dx_m", "dy_m". The text is the file that the command writes. */
 FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
 /** Reflection of a stiffness, or stiffness of a reflection or of a curve of them. Options: stiffness, or reflection (a
- * number or the name of a file); reflection_error; frequency; impedance, or density and velocity; the same with 2 for
- * the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..."
- * */
+ * number or the name of a file); reflection_error; film_stiffness; frequency; impedance, or density and velocity; the
+ * same with 2 for the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve
+ * "rows.0.stiffness_Pa_per_m", "rows.1..." */
 FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
 /** The answer of a scene, `length` bytes of TOML (NULL, of length 0: the built-in scene), and the laws that it names.
  * name is as in fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers:

@@ -145,8 +145,9 @@ Identification<double> found_by(const Problem& problem, const Fit& fit, const de
 /// \p point with K times \p factor, and the reflection of that.
 Observation<double> scaled(Observation<double> point, double factor, const std::optional<Wave<double>>& wave) try {
     if (!wave) return {point.pressure, factor * point.value, factor * point.error};
-    const double K = stiffness_from_reflection(point.value, wave->media, wave->angular_frequency);
-    return {point.pressure, reflection(factor * K, wave->media, wave->angular_frequency), point.error};
+    const double film = wave->film_stiffness,
+                 K = stiffness_from_reflection(point.value, wave->media, wave->angular_frequency) - film;
+    return {point.pressure, reflection(factor * K + film, wave->media, wave->angular_frequency), point.error};
 } catch (const domain_error&) {  // noise: no K reflects so
     return point;
 }
@@ -242,7 +243,8 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
                            " shear needs it, or "
                            "density and shear_velocity");
     return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal,
-                        scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
+                        scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0,
+                        request.shear ? 0.0 : scene.ultrasound->film_stiffness};
 }
 
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.

@@ -160,6 +160,7 @@ Json run_document(const Scene& scene, const Results& results) {
                                                 {"impedance_Rayl", waves.longitudinal.incident},
                                                 {"impedance2_Rayl", waves.longitudinal.beyond},
                                                 {"equations", {"(5.1)"}}};
+        if (waves.film_stiffness > 0) entry["film_stiffness_Pa_per_m"] = waves.film_stiffness;
         if (waves.shear) {
             entry["shear_impedance_Rayl"] = waves.shear->incident;
             entry["shear_impedance2_Rayl"] = waves.shear->beyond;

@@ -147,6 +147,8 @@ void add_bodies(const Scene& scene, const Results& results, std::vector<InputLin
         };
         parts = {document::rounded(waves.frequency / 1e6) + " MHz", "impedances " + pair(waves.longitudinal)};
         if (waves.shear) parts.push_back("of shear waves " + pair(*waves.shear));
+        if (waves.film_stiffness > 0)
+            parts.push_back("fluid film " + document::with_unit(waves.film_stiffness, "Pa/m") + " in parallel with K");
         lines.push_back({"waves", parts});
     }
     if (!scene.assumptions.empty()) lines.push_back({"assumed", scene.assumptions});

@@ -205,7 +205,10 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
     Joint joint{
         .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("cast_iron")};
     joint.upper.hardness = 1e9, joint.lower.hardness = 2e9;
-    joint.waves = Waves{.frequency = 5e6, .longitudinal = {46e6, 33e6}, .shear = Impedances<double>{25e6, 19e6}};
+    joint.waves = Waves{.frequency = 5e6,
+                        .longitudinal = {46e6, 33e6},
+                        .shear = Impedances<double>{25e6, 19e6},
+                        .film_stiffness = 1e14};
     joint.conduction = {.thermal = joint_conductivity(53.3, 48.5),
                         .electrical = joint_conductivity(6e6, 1e6),
                         .gap = GapFilling<double>{0.026, 0},
@@ -217,7 +220,8 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
         "GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = \"2 "
         "GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
         contact_of_text +
-        "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\", shear_impedance = \"25 MRayl\" }\n"
+        "[ultrasound]\nfrequency = \"5 MHz\"\nfilm_stiffness = \"1e14 Pa/m\"\nupper = { impedance = \"46 MRayl\", "
+        "shear_impedance = \"25 MRayl\" }\n"
         "lower = { impedance = \"33 MRayl\", shear_impedance = \"19 MRayl\" }\n[gap]\nconductivity = \"0.026 W/(m "
         "K)\"\n"
         "thermal_film = \"1e-6 m^2 K/W\"\n[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
@@ -243,7 +247,9 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
         }
         CHECK(found.points[i].gap_conductance == curve.value_at(i, thermal_conductance_gap));
     }
-    joint.waves->frequency = 0;
+    joint.waves->film_stiffness = -1;
+    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("film_stiffness = -1"));
+    joint.waves->film_stiffness = 0, joint.waves->frequency = 0;
     CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("frequency = 0"));
     joint.waves.reset(), joint.conduction.thermal = -1;
     CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("thermal = -1"));
