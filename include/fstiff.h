@@ -346,7 +346,8 @@ FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options,
  * "answer.*.pressure_Pa", "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m"
  * and "..._p95_Pa_per_m", "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a
  * conductivity, "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where
- * peaks yield, "rows.*..." of the laws. Words: "answer.0.law", "explanation.0", "outside_band" ... */
+ * peaks yield, "ball.*.stiffness_N_per_m" ... where it has contact.ball_radius, "rows.*..." of the laws. Words:
+ * "answer.0.law", "explanation.0", "outside_band" ... */
 FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options,
                           fstiff_document** made);
 /** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters

@@ -32,7 +32,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, of the comment that opens a header, and of folders.
 FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
-TOTALS = {"include": 31970, "src without io": 18103, "tools": 3562}
+TOTALS = {"include": 32076, "src without io": 18253, "tools": 3562}
 
 
 def read(path):

@@ -71,10 +71,9 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
         converted.stiffness.emplace_back(
             detail::located(Place{.file = curve.name, .line = point.line, .before_line = ":"},
                             [&] { return detail::measured_stiffness(point.value, error, reflection.media, omega); }));
-        detail::MeasuredStiffness<double>& k = *converted.stiffness.back();
-        k.value -= reflection.film_stiffness;
-        k.bounded = k.bounded && 2 * error < reflection.film_alone - point.value;
-        if (!k.bounded) doubtful.add(point.line);
+        converted.stiffness.back()->value -= reflection.film_stiffness;
+        if (!converted.stiffness.back()->bounded || 2 * error >= reflection.film_alone - point.value)
+            doubtful.add(point.line);
     }
     const std::string most =
         document::rounded(reflection.film_alone) + (reflection.film_stiffness > 0 ? ", that of the film alone" : "");
@@ -97,9 +96,8 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
 Reflected at_one(const ReflectionRequest& request, const Reflection& experiment, std::optional<double> given) {
     const Impedances<double>& media = experiment.media;
     const double omega = detail::angular_frequency(experiment.frequency), film = experiment.film_stiffness;
-    if (given && film > 0)
-        detail::require(*given < experiment.film_alone, "reflection", *given,
-                        "less than " + document::rounded(experiment.film_alone) + ", that of the film alone");
+    detail::require(!given || film == 0 || *given < experiment.film_alone, "reflection", given.value_or(0),
+                    "less than " + document::rounded(experiment.film_alone) + ", that of the film alone");
     Reflected reflected{.from_stiffness = !given};
     if (given && request.reflection_error) {
         reflected.reflection_error = request.reflection_error;
@@ -150,15 +148,6 @@ document::Rows point_rows(const CurveOfStiffness& converted) {
     return rows;
 }
 
-/// The film in parallel with K, where there is one.
-void add_film(document::Document& document, const Reflection& reflection) {
-    if (reflection.film_stiffness == 0) return;
-    const document::ShownUnit unit = document::shown_unit(reflection.film_stiffness, "Pa/m");
-    document.facts("fluid film",
-                   {{"film_stiffness_Pa_per_m", reflection.film_stiffness, "", unit.factor,
-                     " " + std::string(unit.name) + " (its bulk modulus over its thickness), in parallel", 6}});
-}
-
 void add_curve(document::Document& document, const Reflection& reflection) {
     const CurveOfStiffness& converted = *reflection.curve;
     document.title("stiffness from the reflections of " + converted.curve.name + ", interface as a spring, eq. (5.1)");
@@ -169,7 +158,6 @@ void add_curve(document::Document& document, const Reflection& reflection) {
                         {"impedance_Rayl", reflection.media.incident, "", 1e-6, " and ", 6},
                         {"impedance2_Rayl", reflection.media.beyond, "", 1e-6, " MRayl, welded joint |R| ", 6},
                         {"welded_reflection", reflection.welded, "", 1, "", 6}});
-    add_film(document, reflection);
     if (converted.error) document.json["reflection_error"] = *converted.error;
     document.table(
         point_rows(converted),
@@ -189,7 +177,6 @@ void add_one(document::Document& document, const Reflection& reflection) {
                                   {"impedance2_Rayl", reflection.media.beyond, "", 1e-6, " MRayl", 6}});
     document.facts("K per nominal area", {{"stiffness_Pa_per_m", reflected.stiffness, "", unit.factor,
                                            " " + std::string(unit.name) + " = " + K + " Pa/m" + error, 6}});
-    add_film(document, reflection);
     document.facts("|R|", {{"reflection", reflected.reflection, "", 1,
                             " (welded joint " + document::rounded(reflection.welded, 6) + ")", 6}});
     document.facts("phase of R", {{"reflection_phase_rad", reflected.phase, "", 1, " rad", 6}});
@@ -246,6 +233,9 @@ document::Document document_of(const ReflectionRequest& request, std::optional<M
     document.doubtful = reflection.doubtful;
     document.json["given"] = reflection.one.from_stiffness ? "stiffness" : "reflection";
     reflection.curve ? add_curve(document, reflection) : add_one(document, reflection);
+    if (const double film = reflection.film_stiffness; film > 0)
+        document.facts("fluid film",
+                       {{"film_stiffness_Pa_per_m", film, "in parallel with K, of ", 1e-15, " GPa/µm", 6}});
     return document;
 }
 
