@@ -337,16 +337,17 @@ FSTIFF_API int fstiff_peaks(const fstiff_heights* profile, const char* options, 
  * "rows", "columns", "dx_m", "dy_m". The text is the file that the command writes. */
 FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
 /** Reflection of a stiffness, or stiffness of a reflection or of a curve of them. Options: stiffness, or reflection (a
- * number or the name of a file); reflection_error; frequency; impedance, or density and velocity; the same with 2 for
- * the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve "rows.0.stiffness_Pa_per_m", "rows.1..."
- * */
+ * number or the name of a file); reflection_error; film_stiffness; frequency; impedance, or density and velocity; the
+ * same with 2 for the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve
+ * "rows.0.stiffness_Pa_per_m", "rows.1..." */
 FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
 /** The answer of a scene, `length` bytes of TOML (NULL, of length 0: the built-in scene), and the laws that it names.
  * name is as in fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers:
  * "answer.*.pressure_Pa", "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m"
  * and "..._p95_Pa_per_m", "answer.*.thermal_conductance_W_per_m2K" and its ends where the scene has a gap or a
  * conductivity, "answer.*.stiffness_N_per_m" where the scene has an area, "answer.*.loading_stiffness_Pa_per_m" where
- * peaks yield, "rows.*..." of the laws. Words: "answer.0.law", "explanation.0", "outside_band" ... */
+ * peaks yield, "ball.*.stiffness_N_per_m" ... where it has contact.ball_radius, "rows.*..." of the laws. Words:
+ * "answer.0.law", "explanation.0", "outside_band" ... */
 FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, const char* options,
                           fstiff_document** made);
 /** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters

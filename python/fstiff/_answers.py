@@ -157,6 +157,7 @@ def answer(
     area: float | None = None,
     quantities: Sequence[str] = (),
     frequency: float | None = None,
+    film_stiffness: float | None = None,
     friction: float | None = None,
     amplitude: float | None = None,
     seating: float = 1e3,
@@ -178,6 +179,7 @@ def answer(
     area                nominal area [m^2]
     quantities          of "tangential_stiffness", "reflection", "shear_reflection" (with a frequency [Hz]), "loss_factor" (with
                         a coefficient of friction and an amplitude [m]), "thermal_conductance", "electrical_conductance"
+    film_stiffness      of a fluid film, which longitudinal waves see in addition to K [Pa/m]: bulk modulus over thickness
     seating             the approach is 0 at this pressure [Pa]
     samples, seed       surfaces drawn for the band; 0: none
 
@@ -211,7 +213,7 @@ def answer(
     if several and surfaces != (len(measured),):
         raise ValueError("surface: a list of them goes with numbers and arrays of its length")
     p = numbers(pressures, "pressures")
-    given = {"area": area, "frequency": frequency, "friction": friction, "amplitude": amplitude}
+    given = {"area": area, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction, "amplitude": amplitude}
     options = {name: float(value) for name, value in given.items() if value is not None}
     options |= {"seating": float(seating), "samples": float(samples), "seed": float(seed)}
     first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")

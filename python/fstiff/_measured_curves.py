@@ -108,6 +108,7 @@ def ultrasound(
     stiffness: Amount | None = None,
     reflection: float | Curve | None = None,
     reflection_error: float | None = None,
+    film_stiffness: Amount | None = None,
     frequency: Amount,
     impedance: Amount | None = None,
     density: Amount | None = None,
@@ -121,6 +122,7 @@ def ultrasound(
     stiffness          K per nominal area [Pa/m]; or
     reflection         |R| of displacement amplitudes, or a curve as identify() takes it, which becomes K(p)
     reflection_error   standard error of |R|, where no curve has its own
+    film_stiffness     of a fluid film in parallel with K [Pa/m]: its bulk modulus over its thickness
     frequency          [Hz]
     impedance          of the body that the wave comes from [kg/(m^2 s)]; or its density [kg/m^3] and velocity of sound [m/s]
     impedance2 ...     of the body beyond; by default those of the first body

@@ -37,6 +37,7 @@ class Answer(Columns):
 
     rows           the same as a list of dicts
     causes         for each pressure the share that each cause has of the band
+    ball           of a scene with contact.ball_radius, the contact under each force as a dict
     explanation    at most three sentences: which stiffness it is, which law gave it, what makes its band
     outside_band   what the band does not hold
     """
@@ -46,6 +47,7 @@ class Answer(Columns):
 
         self._table = table
         self.rows: list[dict[str, Any]] = document["answer"]
+        self.ball: list[dict[str, float]] = document.get("ball", [])
         self.causes: list[dict[str, float]] = [row["causes"] for row in self.rows]
         self.explanation: list[str] = document["explanation"]
         self.outside_band: str = document["outside_band"]

@@ -121,6 +121,7 @@ Joint joint_of(const Solid& upper, const Solid& lower, const Numbers& numbers) {
         };
         if (upper.velocity && lower.velocity)
             joint.waves = Waves{*frequency, impedances(upper.velocity, lower.velocity), {}};
+        if (joint.waves) joint.waves->film_stiffness = number("film_stiffness").value_or(0);
         if (joint.waves && upper.shear_velocity && lower.shear_velocity)
             joint.waves->shear = impedances(upper.shear_velocity, lower.shear_velocity);
     }

@@ -126,14 +126,14 @@ std::string shown_causes(const detail::AnswerReason& reason, std::size_t most) {
     return text;
 }
 
-std::string outside_band(const detail::Problem& problem, const Results& results) {
+std::string outside_band(const Scene& scene, const Results& results) {
     std::string text = "Not in the band: wear, dirt, films, misaligned faces";
-    if (!problem.nominal_area)
+    if (!scene.nominal_area)
         text += std::string(results.answer && results.answer->of_map_itself ? ", other parts of the face"
-                            : measured_faces(problem).empty()               ? ", few contacts"
+                            : measured_faces(scene).empty()                 ? ", few contacts"
                                                                             : ", long waves") +
-                " (give contact.nominal_area)";
-    for (const detail::Face* face : rough_faces(problem))
+                (scene.ball ? "" : " (give contact.nominal_area)");
+    for (const detail::Face* face : rough_faces(scene))
         if (!face->measured && face->process == Process::unknown && face->is_open(Unknown::skewness))
             return text +
                    "; for a worn or honed face K may be several times higher (give process, or skewness and "

@@ -22,7 +22,7 @@ inline constexpr std::string_view yielding_peaks =
 /// The \p most greatest causes of the band of \p reason that are a tenth of it or more: "law 62 %, cut-offs 30 %".
 [[nodiscard]] std::string shown_causes(const detail::AnswerReason& reason, std::size_t most = 2);
 /// Effects outside the band of \p results, in one line.
-[[nodiscard]] std::string outside_band(const detail::Problem& problem, const Results& results);
+[[nodiscard]] std::string outside_band(const scene::Scene& scene, const Results& results);
 /// The measurement that narrows the band of the middle point most, and the factor that comes out when it finds the
 /// assumed value; empty where none narrows it by a twentieth.
 [[nodiscard]] std::string measure_next(const scene::Scene& scene, const Results& results);

@@ -145,8 +145,9 @@ Identification<double> found_by(const Problem& problem, const Fit& fit, const de
 /// \p point with K times \p factor, and the reflection of that.
 Observation<double> scaled(Observation<double> point, double factor, const std::optional<Wave<double>>& wave) try {
     if (!wave) return {point.pressure, factor * point.value, factor * point.error};
-    const double K = stiffness_from_reflection(point.value, wave->media, wave->angular_frequency);
-    return {point.pressure, reflection(factor * K, wave->media, wave->angular_frequency), point.error};
+    const auto& [media, omega, ratio, film] = *wave;
+    const double K = stiffness_from_reflection(point.value, media, omega) - film;
+    return {point.pressure, reflection(factor * K + film, media, omega), point.error};
 } catch (const domain_error&) {  // noise: no K reflects so
     return point;
 }
@@ -229,20 +230,18 @@ std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
 
 std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     const std::string name = option_name(request.prefix, "wave");
-    if (!curve.is_reflection) {
-        if (request.shear)
-            throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
-        return std::nullopt;
-    }
+    if (!curve.is_reflection && request.shear)
+        throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
+    if (!curve.is_reflection) return std::nullopt;
     if (!scene.ultrasound)
         throw domain_error(scene.file + ": ultrasound: is missing; the reflections of " + curve.name +
                            " need the section");
-    if (request.shear && !scene.ultrasound->shear)
+    const Waves& waves = *scene.ultrasound;
+    if (!request.shear) return Wave<double>{waves.longitudinal, waves.angular(), 1, waves.film_stiffness};
+    if (!waves.shear)
         throw domain_error(scene.file + ": ultrasound.upper.shear_impedance: is missing; " + name +
-                           " shear needs it, or "
-                           "density and shear_velocity");
-    return Wave<double>{request.shear ? *scene.ultrasound->shear : scene.ultrasound->longitudinal,
-                        scene.ultrasound->angular(), request.shear ? tangential_ratio(scene.upper, scene.lower) : 1.0};
+                           " shear needs it, or density and shear_velocity");
+    return Wave<double>{*waves.shear, waves.angular(), tangential_ratio(scene.upper, scene.lower)};
 }
 
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.

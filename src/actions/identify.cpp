@@ -84,7 +84,7 @@ Json curve_json(const detail::Problem& problem, const Identified& identified, co
     rows.add({wave ? "reflection" : "stiffness_Pa_per_m"}, points, [&](const ContactPoint<double>& point) {
         const double K = point.state.stiffness.value;
         return !point.ok() ? Cell()
-               : wave      ? Cell(reflection(wave->stiffness_ratio * K, wave->media, wave->angular_frequency))
+               : wave      ? Cell(reflection(wave->seen(K), wave->media, wave->angular_frequency))
                            : Cell(K);
     });
     return rows.arrays();
@@ -137,10 +137,13 @@ void introduce(document::Document& document, const scene::Scene& scene, const Id
                              {"impedance_Rayl", wave->media.incident},
                              {"impedance2_Rayl", wave->media.beyond},
                              {"stiffness_ratio", wave->stiffness_ratio}};
-    document.line("wave", document::rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) +
-                              " MHz, impedances " + document::rounded(wave->media.incident / 1e6) + " and " +
-                              document::rounded(wave->media.beyond / 1e6) + " MRayl, sees " +
-                              (wave->stiffness_ratio == 1 ? "K" : document::rounded(wave->stiffness_ratio) + " K"));
+    if (wave->film_stiffness > 0) document.json["wave"]["film_stiffness_Pa_per_m"] = wave->film_stiffness;
+    document.line(
+        "wave",
+        document::rounded(wave->angular_frequency / (2 * std::numbers::pi) / 1e6) + " MHz, impedances " +
+            document::rounded(wave->media.incident / 1e6) + " and " + document::rounded(wave->media.beyond / 1e6) +
+            " MRayl, sees " + (wave->stiffness_ratio == 1 ? "K" : document::rounded(wave->stiffness_ratio) + " K") +
+            (wave->film_stiffness > 0 ? " and a film of " + document::with_unit(wave->film_stiffness, "Pa/m") : ""));
 }
 
 /// A row for each parameter of \p fit: in SI for the CSV, in the units of headings for people.

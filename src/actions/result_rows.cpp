@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace fstiff::actions {
@@ -146,6 +147,7 @@ Json run_document(const Scene& scene, const Results& results) {
         if (!input.unit.empty()) entry["unit"] = input.unit;
     }
     document["answer"] = answer_json(scene, results);
+    if (scene.ball) ball_rows(results).append_to(document["ball"] = Json::array());
     document["explanation"] = results.explanation;
     document["assumptions"] = scene.assumptions;
     document["outside_band"] = outside_band(scene, results);
@@ -160,6 +162,7 @@ Json run_document(const Scene& scene, const Results& results) {
                                                 {"impedance_Rayl", waves.longitudinal.incident},
                                                 {"impedance2_Rayl", waves.longitudinal.beyond},
                                                 {"equations", {"(5.1)"}}};
+        if (waves.film_stiffness > 0) entry["film_stiffness_Pa_per_m"] = waves.film_stiffness;
         if (waves.shear) {
             entry["shear_impedance_Rayl"] = waves.shear->incident;
             entry["shear_impedance2_Rayl"] = waves.shear->beyond;
@@ -187,7 +190,47 @@ Units summary_units(const Scene& scene, const Results& results) {
     return units;
 }
 
+document::Rows ball_rows(const Results& results) {
+    const std::vector<BallUnderForce>& balls = results.balls;
+    const auto cell = [](const auto& value) {
+        return [=](const BallUnderForce& ball) { return ball.reason.empty() ? Cell(value(ball)) : Cell(); };
+    };
+    document::Rows rows;
+    const auto add = [&](const std::string& key, const std::string& suffix, const char* shown, std::string_view si,
+                         double ContactOfBall<double>::*member) {  // and that of Hertz
+        std::vector<double> sizes;
+        for (const BallUnderForce& ball : balls) sizes.push_back(ball.hertz.*member);
+        const document::ShownUnit unit = document::shown_unit(sizes, si);
+        rows.add({key + suffix, unit.heading(shown), unit.factor, 3}, balls,
+                 cell([=](const BallUnderForce& ball) { return ball.contact.*member; }));
+        rows.add({"hertz_" + key + suffix, "Hertz", unit.factor, 3}, balls,
+                 [=](const BallUnderForce& ball) { return ball.hertz.*member; });
+        return unit;
+    };
+    rows.add({"force_N"}, balls, [](const BallUnderForce& ball) { return ball.hertz.load; });
+    rows.add({"", "force"}, balls,
+             [](const BallUnderForce& ball) { return document::with_unit(ball.hertz.load, "N", 3); });
+    add("contact_radius", "_m", "a", "m", &ContactOfBall<double>::radius);
+    const document::ShownUnit K = add("stiffness", "_N_per_m", "K", "N/m", &ContactOfBall<double>::stiffness);
+    rows.add({"stiffness_p05_N_per_m"}, balls, cell([](const BallUnderForce& ball) { return ball.low; }));
+    rows.add({"stiffness_p95_N_per_m"}, balls, cell([](const BallUnderForce& ball) { return ball.high; }));
+    rows.add({"", "90 % band"}, balls, cell([&](const BallUnderForce& ball) {
+                 return document::rounded(ball.low * K.factor, 3) + "–" + document::rounded(ball.high * K.factor, 3);
+             }));
+    if (results.answer->flows)
+        rows.add({"loading_stiffness_N_per_m", "loading K", K.factor, 3}, balls,
+                 cell([](const BallUnderForce& ball) { return ball.contact.loading_stiffness; }));
+    const document::ShownUnit pressure = add("max_pressure", "_Pa", "max p", "Pa", &ContactOfBall<double>::pressure);
+    rows.add({"mean_pressure_Pa", "mean p", pressure.factor, 3}, balls, cell([](const BallUnderForce& ball) {
+                 return ball.contact.load / (std::numbers::pi * ball.contact.radius * ball.contact.radius);
+             }));
+    add("approach", "_m", "approach", "m", &ContactOfBall<double>::approach);
+    rows.add({"relative_error"}, balls, cell([](const BallUnderForce& ball) { return ball.contact.error; }));
+    return rows;
+}
+
 document::TextRows answer_table(const Scene& scene, const Results& results, std::size_t causes) {
+    if (scene.ball) return ball_rows(results).table();
     const StiffnessAnswer& answer = *results.answer;
     const Curve& curve = answer.curve;
     const std::vector<std::size_t> places = points_of_answer(scene);

@@ -66,6 +66,28 @@ void take_answer(const Scene& scene, detail::Curves& curves, Results& results) {
     answer.curve.columns = columns_of(scene, answer.curve, true);
 }
 
+/// The ball of \p scene under each force, with warnings where the law does not reach its pressures, and where the
+/// bodies yield below their faces (Johnson, Contact Mechanics, section 6.2).
+void add_balls(const Scene& scene, Results& results) {
+    const auto& [radius, forces] = *scene.ball;
+    const StiffnessAnswer& answer = *results.answer;
+    const std::vector<detail::BallOnFace> faces = detail::balls_on_answer(scene, answer.curve, answer, radius, forces);
+    const double strength =
+        scene.yield_strength.value_or(hardness_of(scene) / detail::hardness_over_yield_strength<double>);
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        results.balls.push_back({faces[i], detail::hertz_ball(radius, scene.effective_modulus, forces[i])});
+        const std::string under = "the ball under " + document::with_unit(forces[i], "N");
+        if (!faces[i].reason.empty()) {
+            results.warnings.push_back(under + " has no contact: " + faces[i].reason);
+            results.doubtful = true;
+        } else if (faces[i].contact.pressure > 1.6 * strength) {
+            results.warnings.push_back(under +
+                                       " yields below its face, but is computed as elastic: its pressure is "
+                                       "above 1.6 times the yield strength");
+        }
+    }
+}
+
 }  // namespace
 
 std::string reason_of(const Scene& scene, const detail::MissedPoint& missed) {
@@ -183,6 +205,7 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
         take_answer(scene, computed, results);
     }
     add_warnings(scene, results);
+    if (scene.ball) add_balls(scene, results);
     Explanation sentences = explanation(scene, results);
     results.explanation = std::move(sentences.sentences);
     results.short_explanation = std::move(sentences.shorter);

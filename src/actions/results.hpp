@@ -10,6 +10,7 @@
 #include "scene/column.hpp"
 #include "scene/scene.hpp"
 
+#include <fstiff/answer/ball.hpp>
 #include <fstiff/core/parallel.hpp>
 
 #include <cstddef>
@@ -38,6 +39,11 @@ struct StiffnessAnswer : detail::AnswerFacts {
     Curve curve;  ///< its band is that of the surface
 };
 
+/// The ball of the scene under one force, and that of smooth faces.
+struct BallUnderForce : detail::BallOnFace {
+    ContactOfBall<double> hertz{};
+};
+
 struct Results {
     double modulus = 0;           ///< effective [Pa]
     double tangential_ratio = 0;  ///< of the tangential stiffness to K
@@ -45,6 +51,7 @@ struct Results {
     std::vector<Check<double>> surface_checks;
     std::optional<StiffnessAnswer> answer;  ///< none: no law answers at any point
     std::vector<Curve> curves;             ///< of the laws that are named; where none is, the curve of the answer alone
+    std::vector<BallUnderForce> balls{};   ///< one for each force, where the scene has a ball
     std::vector<std::string> warnings;     ///< sentences on the checks that do not hold, and on the scene
     std::vector<std::string> explanation;  ///< three sentences at most: the kind of K, its uses and its source
     std::vector<std::string> short_explanation;  ///< the same for a picture: one or two short sentences

@@ -66,6 +66,10 @@ std::string answered(const Scene& scene, const Results& results) {
     std::string text;
     for (const std::size_t causes : {2u, 1u, 0u})  // as many as the page has room for
         if (causes == 2 || width_of(text) > widest) text = document::table_text(answer_table(scene, results, causes));
+    if (scene.ball)
+        text += in_text(
+            "a: 16/(3 pi) of the mean radius of the load. Hertz: smooth faces. Approach: of points far "
+            "away, from where the mean planes would touch.");
     for (const std::string& sentence : results.explanation) text += in_text(sentence);
     if (scene.asks(CurveQuantity::approach) && !results.answer->curve.seated.empty())
         text += in_text("Approach: how far the faces have closed since p was " +
@@ -123,8 +127,10 @@ void add_bodies(const Scene& scene, const Results& results, std::vector<InputLin
     if (scene.hardness)
         parts.push_back(std::isfinite(*scene.hardness) ? "hardness " + pressure(*scene.hardness) : "never yields");
     if (scene.yield_strength) parts.push_back("yield strength " + pressure(*scene.yield_strength));
-    const std::string area =
-        scene.nominal_area ? "nominal area " + document::rounded(*scene.nominal_area * 1e6) + " mm²" : "";
+    const std::string area = scene.ball ? "ball of radius " + document::shown_length(scene.ball->radius)
+                             : scene.nominal_area
+                                 ? "nominal area " + document::rounded(*scene.nominal_area * 1e6) + " mm²"
+                                 : "";
     if (scene.best && !area.empty()) parts.push_back(area);
     lines.push_back({"material", parts});
     parts.clear();
@@ -147,6 +153,8 @@ void add_bodies(const Scene& scene, const Results& results, std::vector<InputLin
         };
         parts = {document::rounded(waves.frequency / 1e6) + " MHz", "impedances " + pair(waves.longitudinal)};
         if (waves.shear) parts.push_back("of shear waves " + pair(*waves.shear));
+        if (waves.film_stiffness > 0)
+            parts.push_back("fluid film " + document::with_unit(waves.film_stiffness, "Pa/m") + " in parallel with K");
         lines.push_back({"waves", parts});
     }
     if (!scene.assumptions.empty()) lines.push_back({"assumed", scene.assumptions});
@@ -343,7 +351,10 @@ document::Document document_of(const Scene& given, const Results& computed, bool
             return rows;
         });
     };
-    if (results->answer) add(results->answer->curve, 1);
+    if (scene->ball)
+        document.csv([=] { return ball_rows(*results); });
+    else if (results->answer)
+        add(results->answer->curve, 1);
     if (!scene->best)
         for (const Curve& curve : results->curves) add(curve, 0);
     document.warnings = results->warnings;

@@ -32,6 +32,8 @@ struct Units {
 [[nodiscard]] std::string shown_point(const scene::Scene& scene, std::size_t i);
 /// The answer for a JSON document: a row for each point, empty where nothing answers.
 [[nodiscard]] document::Json answer_json(const scene::Scene& scene, const Results& results);
+/// The ball of the scene, a force a row, next to that of smooth faces.
+[[nodiscard]] document::Rows ball_rows(const Results& results);
 /// A line of the input that the results rest on, for people: "surface", {"sigma 0.8 µm", "rms gradient 0.1"}.
 struct InputLine {
     std::string label;

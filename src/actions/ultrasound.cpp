@@ -63,7 +63,7 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
         const double error = curve.has_errors ? point.error : request.reflection_error.value_or(0);
         if (curve.has_errors || request.reflection_error) converted.errors.push_back(error);
         if (!(point.value > reflection.welded &&
-              point.value < 1)) {  // what noise makes of light loads, or of heavy ones
+              point.value < reflection.film_alone)) {  // what noise makes of light loads, or of heavy ones
             converted.stiffness.emplace_back();
             beyond.add(point.line);
             continue;
@@ -71,38 +71,46 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
         converted.stiffness.emplace_back(
             detail::located(Place{.file = curve.name, .line = point.line, .before_line = ":"},
                             [&] { return detail::measured_stiffness(point.value, error, reflection.media, omega); }));
-        if (!converted.stiffness.back()->bounded) doubtful.add(point.line);
+        converted.stiffness.back()->value -= reflection.film_stiffness;
+        if (!converted.stiffness.back()->bounded || 2 * error >= reflection.film_alone - point.value)
+            doubtful.add(point.line);
     }
+    const std::string most =
+        document::rounded(reflection.film_alone) + (reflection.film_stiffness > 0 ? ", that of the film alone" : "");
     if (beyond.count > 0 && beyond.count == curve.points.size())
         throw domain_error(curve.name + ":" + std::to_string(beyond.first_line) +
                            ": reflection = " + document::shortest(curve.points.front().value) +
                            ": must be greater than " + document::shortest(reflection.welded) +
-                           ", that of the welded joint, and less than 1; no row is");
+                           ", that of the welded joint, and less than " + most + "; no row is");
     reflection.doubtful = beyond.count > 0;
     if (beyond.count > 0)
         reflection.warnings.push_back("R is not between that of the welded joint, " +
-                                      document::rounded(reflection.welded) + ", and 1" + beyond.in(curve) +
+                                      document::rounded(reflection.welded) + ", and " + most + beyond.in(curve) +
                                       ": no stiffness there");
     if (doubtful.count > 0)
-        reflection.warnings.push_back("R is within two errors of 1 or of the welded joint" + doubtful.in(curve) +
-                                      ": the first-order error of K is unreliable there");
+        reflection.warnings.push_back("R is within two errors of " + most + " or of the welded joint" +
+                                      doubtful.in(curve) + ": the first-order error of K is unreliable there");
 }
 
 /// R of the stiffness, or K of the one reflection that is \p given, and what else follows.
-Reflected at_one(const ReflectionRequest& request, const Impedances<double>& media, double omega,
-                 std::optional<double> given) {
+Reflected at_one(const ReflectionRequest& request, const Reflection& experiment, std::optional<double> given) {
+    const Impedances<double>& media = experiment.media;
+    const double omega = detail::angular_frequency(experiment.frequency), film = experiment.film_stiffness;
+    detail::require(!given || film == 0 || *given < experiment.film_alone, "reflection", given.value_or(0),
+                    "less than " + document::rounded(experiment.film_alone) + ", that of the film alone");
     Reflected reflected{.from_stiffness = !given};
     if (given && request.reflection_error) {
         reflected.reflection_error = request.reflection_error;
         reflected.stiffness_error = detail::measured_stiffness(*given, *request.reflection_error, media, omega).error;
     }
-    reflected.stiffness = given ? stiffness_from_reflection(*given, media, omega)
+    reflected.stiffness = given ? stiffness_from_reflection(*given, media, omega) - film
                                 : request.stiffness.value(io::Dimension::stiffness_per_area,
                                                           surface::option_name(request.prefix, "stiffness"));
-    reflected.reflection = given ? *given : reflection(reflected.stiffness, media, omega);
-    reflected.transmission = std::abs(detail::complex_transmission(reflected.stiffness, media, omega));
-    reflected.phase = std::arg(detail::complex_reflection(reflected.stiffness, media, omega));
-    reflected.transmitted_energy = detail::transmitted_energy(reflected.stiffness, media, omega);
+    const double seen = reflected.stiffness + film;
+    reflected.reflection = given ? *given : reflection(seen, media, omega);
+    reflected.transmission = std::abs(detail::complex_transmission(seen, media, omega));
+    reflected.phase = std::arg(detail::complex_reflection(seen, media, omega));
+    reflected.transmitted_energy = detail::transmitted_energy(seen, media, omega);
     return reflected;
 }
 
@@ -205,10 +213,16 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
         if (!given) curve = curve_of(request.reflection.text(), name("reflection"));
     }
     reflection.welded = detail::welded_reflection(reflection.media);
+    if (!request.film_stiffness.empty()) {
+        reflection.film_stiffness =
+            request.film_stiffness.positive(io::Dimension::stiffness_per_area, name("film_stiffness"));
+        reflection.film_alone = fstiff::reflection(reflection.film_stiffness, reflection.media,
+                                                   detail::angular_frequency(reflection.frequency));
+    }
     if (curve)
         convert(request, *std::move(curve), reflection);
     else
-        reflection.one = at_one(request, reflection.media, detail::angular_frequency(reflection.frequency), given);
+        reflection.one = at_one(request, reflection, given);
     return reflection;
 }
 
@@ -219,6 +233,9 @@ document::Document document_of(const ReflectionRequest& request, std::optional<M
     document.doubtful = reflection.doubtful;
     document.json["given"] = reflection.one.from_stiffness ? "stiffness" : "reflection";
     reflection.curve ? add_curve(document, reflection) : add_one(document, reflection);
+    if (const double film = reflection.film_stiffness; film > 0)
+        document.facts("fluid film",
+                       {{"film_stiffness_Pa_per_m", film, "in parallel with K, of ", 1e-15, " GPa/µm", 6}});
     return document;
 }
 

@@ -26,6 +26,7 @@ struct ReflectionRequest {
     request::Amount stiffness{};               ///< K per nominal area
     request::Amount reflection{};              ///< |R|, or the file of a measured curve
     std::optional<double> reflection_error{};  ///< standard error of |R|, where no curve has its own
+    request::Amount film_stiffness{};          ///< of a fluid film in parallel with K; empty: none
     request::Amount frequency{};
     BodyRequest incident{}, beyond{};  ///< of the wave; beyond: as incident where it is not given
     std::string prefix{};              ///< of the names of options in messages: "--" on a command line
@@ -39,6 +40,9 @@ struct ReflectionRequest {
               "and, if known, reflection_error, to K(p); - is standard input"});
         take("reflection_error", reflection_error,
              {"standard error of the reflection coefficient, where a file has no column of it"});
+        take("film_stiffness", film_stiffness,
+             {"stiffness per area of a fluid film in parallel with K, bulk modulus over thickness, such as \"0.1 "
+              "GPa/um\""});
         take("frequency", frequency, {.help = "frequency of the wave, such as \"7 MHz\"", .required = true});
         const auto take_body = [&](BodyRequest& body, const std::string& suffix, const std::string& which) {
             take("impedance" + suffix, body.impedance, {.help = "impedance of " + which + ", such as \"46 MRayl\""});
@@ -72,8 +76,9 @@ struct CurveOfStiffness {
 struct Reflection {
     double frequency = 0;  ///< [Hz]
     Impedances<double> media{};
-    double welded = 0;  ///< |R| of the welded joint
-    Reflected one{};    ///< unless there is a curve
+    double film_stiffness = 0;          ///< [Pa/m], which the wave sees in addition to K
+    double welded = 0, film_alone = 1;  ///< |R| of the welded joint, and where the faces do not touch
+    Reflected one{};                    ///< unless there is a curve
     std::optional<CurveOfStiffness> curve{};
     std::vector<std::string> warnings{};
     bool doubtful = false;  ///< a reflection that no stiffness has

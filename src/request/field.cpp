@@ -102,6 +102,7 @@ std::string_view si_unit(io::Dimension dimension) {
         case Dimension::area: return "m^2";
         case Dimension::inverse_area: return "1/m^2";
         case Dimension::pressure: return "Pa";
+        case Dimension::stiffness_per_area: return "Pa/m";
         case Dimension::angle: return "rad";
         case Dimension::frequency: return "Hz";
         case Dimension::velocity: return "m/s";
@@ -123,6 +124,7 @@ std::string_view example(io::Dimension dimension) {
         case Dimension::area: return "195 mm^2";
         case Dimension::inverse_area: return "500 /mm^2";
         case Dimension::pressure: return "10 MPa";
+        case Dimension::stiffness_per_area: return "0.1 GPa/um";
         case Dimension::frequency: return "7 MHz";
         case Dimension::velocity: return "5900 m/s";
         case Dimension::density: return "7850 kg/m^3";

@@ -250,11 +250,12 @@ Body read_body(Source& source, const toml::table* table, const std::string& key,
 }  // namespace
 
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
-    const Section section(source, table, "ultrasound", {"frequency", "upper", "lower"});
+    const Section section(source, table, "ultrasound", {"frequency", "film_stiffness", "upper", "lower"});
     Waves waves;
     waves.frequency = section.positive("frequency", Dimension::frequency);
     if (!std::isfinite(waves.angular()) || waves.angular() == 0)
         source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
+    waves.film_stiffness = section.optional_positive("film_stiffness", Dimension::stiffness_per_area).value_or(0);
     const auto sides = [&](const char* name) { return section.find(name) ? &section.subtable(name) : nullptr; };
     const toml::table *first = sides("upper"), *second = sides("lower");
     if (!first && !scene.upper_name) static_cast<void>(section.subtable("upper"));  // which refuses it

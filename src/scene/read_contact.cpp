@@ -3,6 +3,8 @@
 #include "scene/law_options.hpp"
 #include "scene/readers.hpp"
 
+#include <fstiff/tabulated/ball_contact.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -110,8 +112,29 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
                   si_unit(Dimension::area));
 }
 
+/// The ball of contact.ball_radius, and the pressures of its law: from 1e-4 of Hertz' under the least force, below
+/// which a pressure carries nothing, to that under the greatest.
+void read_ball(const Section& root, const Section& contact, double radius, Scene& scene) {
+    for (const char* other : {"nominal_area", "washer", "laws"})
+        (void)contact.one_of(std::array<std::string_view, 2>{"ball_radius", other});
+    for (const char* other : {"gap", "friction", "ultrasound"})
+        if (root.find(other)) contact.refuse("ball_radius", "must not be given with the section " + std::string(other));
+    const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
+    const auto pressure = [&](double force) {
+        return detail::hertz_ball(radius, scene.effective_modulus, force).pressure;
+    };
+    const double from = 1e-4 * pressure(*least), to = pressure(*greatest);
+    if (!(from > 0) || !std::isfinite(to))
+        contact.refuse("ball_radius", "must make a pressure in the range of double precision");
+    const Range range{from, to, 1 + static_cast<std::uint64_t>(std::ceil(6 * std::log10(to / from))), true};
+    scene.ball = {radius, std::move(scene.points)};
+    scene.points.clear();
+    for (std::uint64_t i = 0; i < range.count; ++i) scene.points.push_back(range.at(i));
+    scene.listed = scene.solves_map = false;
+}
+
 /// The pressures, separations or forces of the scene; forces over the nominal area are pressures.
-void read_points(Source& source, const Section& contact, Scene& scene) {
+void read_points(Source& source, const Section& root, const Section& contact, Scene& scene) {
     struct Kind {
         std::string_view name;
         Dimension dimension;
@@ -132,6 +155,10 @@ void read_points(Source& source, const Section& contact, Scene& scene) {
     scene.points = read_values(source, node, key, kind->dimension);
     scene.listed = !node.is_table();
     if (const auto seating = contact.optional_positive("seating", Dimension::pressure)) scene.seating = *seating;
+    const auto radius = contact.optional_positive("ball_radius", Dimension::length);
+    if (radius && kind->dimension != Dimension::force)
+        contact.refuse("ball_radius", "needs contact.force, the load of the ball, in place of " + key);
+    if (radius) return read_ball(root, contact, *radius, scene);
     if (kind->dimension != Dimension::force) return;
     if (!scene.nominal_area)
         throw domain_error(scene.points_where + "needs " + contact.key("nominal_area") + ", or " +
@@ -280,12 +307,12 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
-    std::vector<std::string_view> keys{"nominal_area", "washer", "pressures", "separations", "force",
-                                       "seating",      "laws",   "peaks",     "interaction"};
+    std::vector<std::string_view> keys{"nominal_area", "washer",  "ball_radius", "pressures", "separations",
+                                       "force",        "seating", "laws",        "peaks",     "interaction"};
     for (const LawName law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     read_area(source, contact, scene, replaced);
-    read_points(source, contact, scene);
+    read_points(source, root, contact, scene);
     read_laws(source, root, contact, scene, replaced);
     for (const LawName law : laws_with_options)  // checked, though no law of the scene takes them
         if (!is_shared(law) && contact.find(name_of(law)) &&

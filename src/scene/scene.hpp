@@ -41,6 +41,12 @@ struct Range {
     }
 };
 
+/// A ball that is pressed on the face.
+struct Ball {
+    double radius;               ///< [m], of two 1/(1/R_1 + 1/R_2)
+    std::vector<double> forces;  ///< [N]
+};
+
 /// A joint, what is asked of it, and the text that both come from.
 struct Scene : detail::Problem {
     std::string name;
@@ -62,6 +68,7 @@ struct Scene : detail::Problem {
     std::vector<double> points;
     bool listed = true;          ///< the points were written one by one
     std::vector<double> forces;  ///< that the points are the pressures of [N]; empty: contact.force is not there
+    std::optional<Ball> ball{};  ///< `points` are pressures below it
     bool is_joint = false;       ///< a force or a washer is given: K [N/m] and the approach are asked for
     double seating = 1e3;        ///< the approach is 0 at this pressure [Pa]
     std::string points_where;    ///< file, line and key for messages

@@ -310,7 +310,7 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     const HeightMap<double>& map = input.surface.map();
     const double shorter =
         std::min(static_cast<double>(map.columns()) * map.dx, static_cast<double>(map.rows()) * map.dy);
-    const double radius = radius_of_form(options, form > MapForm::cubic, shorter);
+    const double radius = radius_of_form(options, detail::is_round(form), shorter);
     return document::about_file(options.file, [&] {
         fstiff::MeasureOptions<double> measuring = library_options(options);
         measuring.map_form = form;

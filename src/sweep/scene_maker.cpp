@@ -228,6 +228,8 @@ std::shared_ptr<const Scene> SceneMaker::read_with(const std::vector<Value>& val
     from.surface_of = surface;
     auto scene = std::make_shared<Scene>(scene::read_table(root, from));
     scene->solves_map = false;
+    if (scene->ball)
+        throw domain_error(from.name + ": contact.ball_radius: is for fstiff run; a sweep has the faces alone");
     scene->inputs.clear();
     scene->warnings.clear();
     return scene;

@@ -130,6 +130,30 @@ TEST_CASE("Reflections without a column of errors take --reflection-error, or ha
     CHECK(test::lines(without.out).front() == "pressure_Pa,stiffness_Pa_per_m");
 }
 
+TEST_CASE("A film in parallel is added to K before a reflection, and subtracted after it") {
+    const auto wet = json("--stiffness '1.764 GPa/um' --film-stiffness '0.75 GPa/um'" + steel);
+    CHECK(wet["reflection"] == json("--stiffness '2.514 GPa/um'" + steel)["reflection"]);
+    CHECK(wet["stiffness_Pa_per_m"] == 1.764e15);
+    CHECK(wet["film_stiffness_Pa_per_m"] == 0.75e15);
+    const std::string film = " --film-stiffness '0.75 GPa/um'" + steel;
+    for (const std::string reflection : {"0.7", "0.4"}) {
+        const auto one = json("--reflection " + reflection + " --reflection-error 0.01" + film),
+                   dry = json("--reflection " + reflection + " --reflection-error 0.01" + steel);
+        CHECK(one["stiffness_Pa_per_m"] == dry["stiffness_Pa_per_m"].get<double>() - 0.75e15);
+        CHECK(one["stiffness_error_Pa_per_m"] == dry["stiffness_error_Pa_per_m"]);
+    }
+    // 1/sqrt(1 + (2 K/(omega z))^2) of the film: 0.803
+    test::check_refused("ultrasound --reflection 0.81" + film, 3, {"reflection = 0.81", "0.803", "film alone"});
+    const std::string file = "p [MPa],R,error\n1,0.81,0.002\n2,0.8,0.002\n10,0.7,0.002\n";
+    const auto curve = test::run_fstiff("ultrasound --reflection - --format json" + film, file);
+    CHECK(curve.status == 4);
+    const auto rows = nlohmann::json::parse(curve.out)["rows"];
+    CHECK(rows[0]["stiffness_Pa_per_m"].is_null());
+    CHECK(rows[2]["stiffness_Pa_per_m"] == json("--reflection 0.7" + film)["stiffness_Pa_per_m"]);
+    CHECK(test::contains(curve.err, "within two errors of 0.8"));
+    CHECK(test::contains(curve.err, "1 of 3 rows, the first at line 3"));
+}
+
 TEST_CASE("Rows whose R belongs to no stiffness have none, and the exit code is 4") {
     const std::string file = "p [MPa],R,error\n1,1.002,0.002\n2,0.999,0.002\n10,0.9,0.002\n60,0.4,0.002\n";
     const std::string call = "ultrasound --reflection - --impedance2 '17 MRayl'" + steel;

@@ -45,7 +45,7 @@ std::vector<Observation<double>> curve(const ContactParameters<double>& x, const
     for (int i = 0; i < count; ++i) {
         const double p = 0.5e6 * std::pow(100.0, double(i) / (count - 1));
         const double k = contact.at_pressure(p + x.offset, Quantity::stiffness).stiffness.value;
-        data.push_back({p, as ? reflection(as->stiffness_ratio * k, as->media, as->angular_frequency) : k, 0});
+        data.push_back({p, as ? reflection(as->seen(k), as->media, as->angular_frequency) : k, 0});
     }
     return data;
 }
@@ -135,6 +135,20 @@ TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from 
     check_coverage(coverage(true_contact, {effective_modulus}, hertz, 0.001, false, &wave));
     const Wave<double> shear{{25e6, 25e6}, 4.398e7, 1.4 / 1.7};
     check_coverage(coverage(true_contact, {rms_height, fractal_dimension}, fractal, 0.0003, true, &shear));
+}
+
+TEST_CASE("a fit to R(p) under a film subtracts the film") {
+    const Wave<double> under_film{{46e6, 46e6}, 4.398e7, 1, 2e13};
+    auto data = curve(true_contact, hertz, 20, &under_film), dry = curve(true_contact, hertz, 20, &wave);
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        const double k = stiffness_from_reflection(dry[i].value, 46e6, 4.398e7);
+        CHECK(test::relative_error(stiffness_from_reflection(data[i].value, 46e6, 4.398e7), k + 2e13) < 1e-9);
+        data[i].error = 1e-5;
+    }
+    ContactParameters<double> start = true_contact;
+    start.rms_height *= 0.9;
+    const auto fit = identify(data, {Parameter::rms_height}, start, hertz, {.wave = under_film});
+    CHECK(test::relative_error(fit.parameters[0].value, true_contact.rms_height) < 1e-9);
 }
 
 TEST_CASE("without noise the truth comes back") {

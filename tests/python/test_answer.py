@@ -89,13 +89,13 @@ def test_quantities():
     named = ["tangential_stiffness", "reflection", "shear_reflection", "loss_factor", "thermal_conductance"]
     found = fstiff.answer(
         height=0.8e-6, gradient=0.1, upper="steel", lower="aluminium", pressures=PRESSURES, quantities=named,
-        frequency=5e6, friction=0.2, amplitude=1e-8,
+        frequency=5e6, film_stiffness=1e14, friction=0.2, amplitude=1e-8,
     )  # fmt: skip
     curves = fstiff.run({
         "surface": {"rms_height": "0.8 um", "rms_gradient": 0.1},
         "material": {"upper": "steel", "lower": "aluminium"},
         "contact": CONTACT,
-        "ultrasound": {"frequency": "5 MHz"},
+        "ultrasound": {"frequency": "5 MHz", "film_stiffness": "1e14 Pa/m"},
         "friction": {"coefficient": 0.2, "amplitude": "10 nm"},
         "output": {"quantities": ["stiffness", *named]},
     })  # fmt: skip

@@ -80,6 +80,8 @@ def test_ultrasound_is_that_of_the_command(command, root):
     assert_same(found, document)
     back = fstiff.ultrasound(reflection=found["reflection"], frequency="7 MHz", impedance=46e6, reflection_error=0.005)
     assert back["stiffness_Pa_per_m"] == pytest.approx(1.764e15, rel=1e-13)
+    wet = fstiff.ultrasound(reflection=found["reflection"], film_stiffness="1 GPa/um", frequency=7e6, impedance=46e6)
+    assert wet["stiffness_Pa_per_m"] == pytest.approx(0.764e15, rel=1e-13)
     file = root / "data/example_reflection.csv"
     document = command.json("ultrasound", "--reflection", file, *STEEL)
     assert_same(fstiff.ultrasound(reflection=file, frequency=7e6, impedance=46e6), document)

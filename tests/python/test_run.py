@@ -53,6 +53,21 @@ def test_the_answer_is_that_of_the_command(command, scene):
     assert answer.explanation[0] in repr(answer) and len(answer.to_dataframe()) == len(K)
 
 
+def test_a_ball_is_in_the_answer(command, tmp_path):
+    scene = {
+        "surface": {"rms_height": "0.3 um"},
+        "material": {"upper": "steel"},
+        "contact": {"ball_radius": "10 mm", "force": ["1 N", "10 N"]},
+    }
+    file = tmp_path / "ball.toml"
+    file.write_text('surface.rms_height = "0.3 um"\nmaterial.upper = "steel"\n'
+                    'contact = { ball_radius = "10 mm", force = ["1 N", "10 N"] }\n')  # fmt: skip
+    answer, rows = fstiff.run(scene).answer, command.csv("run", file)
+    assert answer.ball == command.json("run", file)["ball"]
+    assert [ball["stiffness_N_per_m"] for ball in answer.ball] == [float(K) for K in rows["stiffness_N_per_m"]]
+    assert "a [µm]" in repr(answer)
+
+
 def test_a_text_gives_what_its_file_gives(root):
     file = root / "data" / "example_scene.toml"
     of_file, of_text = fstiff.run(str(file)), fstiff.run(file.read_text())

@@ -7,6 +7,7 @@
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/tabulated/ball_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
@@ -205,7 +206,10 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
     Joint joint{
         .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("cast_iron")};
     joint.upper.hardness = 1e9, joint.lower.hardness = 2e9;
-    joint.waves = Waves{.frequency = 5e6, .longitudinal = {46e6, 33e6}, .shear = Impedances<double>{25e6, 19e6}};
+    joint.waves = Waves{.frequency = 5e6,
+                        .longitudinal = {46e6, 33e6},
+                        .shear = Impedances<double>{25e6, 19e6},
+                        .film_stiffness = 1e14};
     joint.conduction = {.thermal = joint_conductivity(53.3, 48.5),
                         .electrical = joint_conductivity(6e6, 1e6),
                         .gap = GapFilling<double>{0.026, 0},
@@ -217,7 +221,8 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
         "GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = \"2 "
         "GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
         contact_of_text +
-        "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\", shear_impedance = \"25 MRayl\" }\n"
+        "[ultrasound]\nfrequency = \"5 MHz\"\nfilm_stiffness = \"1e14 Pa/m\"\nupper = { impedance = \"46 MRayl\", "
+        "shear_impedance = \"25 MRayl\" }\n"
         "lower = { impedance = \"33 MRayl\", shear_impedance = \"19 MRayl\" }\n[gap]\nconductivity = \"0.026 W/(m "
         "K)\"\n"
         "thermal_film = \"1e-6 m^2 K/W\"\n[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
@@ -243,7 +248,9 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
         }
         CHECK(found.points[i].gap_conductance == curve.value_at(i, thermal_conductance_gap));
     }
-    joint.waves->frequency = 0;
+    joint.waves->film_stiffness = -1;
+    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("film_stiffness = -1"));
+    joint.waves->film_stiffness = 0, joint.waves->frequency = 0;
     CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("frequency = 0"));
     joint.waves.reset(), joint.conduction.thermal = -1;
     CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("thermal = -1"));
@@ -316,6 +323,49 @@ TEST_CASE("The law of an answer and of the ends of its band is a table of K with
           }).starts_with("min_pressure = 10000: must be from"));
     CHECK(test::refusal([&] { (void)found.law_at(0.5, {1e5, 1e10}); }).starts_with("max_pressure = "));
     CHECK(test::refusal([&] { (void)Answer().law_at(0.5, {1e5, 1e9}); }).starts_with("points with a stiffness = 0"));
+}
+
+TEST_CASE("The ball of a scene is one on the law of the answer and of the ends of its band") {
+    Joint joint{
+        .face = {.rms_height = 0.3e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("cast_iron")};
+    joint.upper.hardness = joint.lower.hardness = std::numeric_limits<double>::infinity();
+    const std::string never = "hardness = \"infinite\"\n";
+    const scene::Scene scene =
+        read("[surface]\nrms_height = \"0.3 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\n" + never +
+             "[material.lower]\nname = \"cast_iron\"\n" + never +
+             "[contact]\nball_radius = \"10 mm\"\nforce = [\"1 N\", \"50 N\"]\n");
+    const actions::Results results = actions::compute(scene);
+    REQUIRE(results.balls.size() == 2);
+    const Answer found = answer(joint, scene.points);
+    const LawRange<double> range{scene.points.front(), scene.points.back(), OutsideRange::extrapolate};
+    const double modulus = scene.effective_modulus;
+    for (const actions::BallUnderForce& ball : results.balls) {
+        const auto on = [&](double quantile) {
+            return ball_on_rough_face(found.law_at(quantile, range), 10e-3, modulus, ball.hertz.load);
+        };
+        REQUIRE(ball.reason.empty());
+        const ContactOfBall<double> middle = on(0.5);
+        // the law and the tables of both ways are within 2.5e-4
+        CHECK(test::relative_error(ball.contact.stiffness, middle.stiffness) < 1e-3);
+        CHECK(test::relative_error(ball.contact.stiffness, ball.contact.loading_stiffness) < 1e-9);  // two tables
+        CHECK(test::relative_error(ball.contact.radius, middle.radius) < 1e-3);
+        CHECK(test::relative_error(ball.contact.pressure, middle.pressure) < 1e-3);
+        CHECK(test::relative_error(ball.low, on(0.05).stiffness) < 1e-3);
+        CHECK(test::relative_error(ball.high, on(0.95).stiffness) < 1e-3);
+        CHECK(ball.low < ball.contact.stiffness);
+        CHECK(ball.contact.stiffness < ball.high);
+        const double a = std::cbrt(0.75 * ball.hertz.load * 10e-3 / modulus);
+        CHECK(test::relative_error(ball.hertz.radius, a) < 1e-15);
+        CHECK(test::relative_error(ball.hertz.stiffness, 2 * modulus * a) < 1e-15);
+    }
+    // the approach of the law of the answer counts from its closest separation, that of the scene from the mean planes
+    const auto part = [&](const actions::BallUnderForce& ball) {
+        return ball.contact.approach -
+               ball_on_rough_face(found.law_at(0.5, range), 10e-3, modulus, ball.hertz.load).approach;
+    };
+    const double closest = results.answer->curve.states.back().separation.value;
+    CHECK(std::abs(part(results.balls[0]) + closest) < 1e-3 * 0.3e-6);
+    CHECK(std::abs(part(results.balls[1]) + closest) < 1e-3 * 0.3e-6);
 }
 
 TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on what is thrown") {

@@ -96,6 +96,63 @@ TEST_CASE("The nominal area of a washer is that of its ring") {
     CHECK(m8.asks(scene::CurveQuantity::approach));
 }
 
+TEST_CASE("A smooth ball is that of Hertz, and one of peaks that yield has two stiffnesses") {
+    const auto scene = [](const std::string& sigma, const std::string& forces) {
+        return test::scene_of(
+            "[surface]\nrms_height = \"" + sigma +
+            "\"\nrms_gradient = 0.1\n[material]\nupper = \"steel\"\n[contact]\nball_radius = \"10 mm\"\n"
+            "force = " +
+            forces + "\n");
+    };
+    const actions::Results smooth = actions::compute(scene("0.2 nm", "\"50 N\""));
+    REQUIRE(smooth.balls.size() == 1);
+    REQUIRE(smooth.balls[0].reason.empty());
+    CHECK(test::relative_error(smooth.balls[0].contact.stiffness, smooth.balls[0].hertz.stiffness) < 2e-3);
+    CHECK(test::relative_error(smooth.balls[0].contact.approach, smooth.balls[0].hertz.approach) < 2e-3);
+
+    const scene::Scene rough = scene("0.3 um", "[\"1 N\", \"10 N\", \"1 kN\"]");
+    const actions::Results results = actions::compute(rough);
+    auto document = run_document(rough, results);
+    const nlohmann::json rows = test::parsed(document)["ball"];
+    const test::Csv csv(document_of(rough, results).csv());
+    REQUIRE(rows.size() == 3);
+    REQUIRE(csv.size() == 3);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const ContactOfBall<double>& contact = results.balls[i].contact;
+        CHECK(contact.loading_stiffness < contact.stiffness);
+        CHECK(contact.radius > results.balls[i].hertz.radius);
+        CHECK(results.balls[i].low <= contact.stiffness);
+        CHECK(contact.stiffness <= results.balls[i].high);
+        CHECK(rows[i]["stiffness_N_per_m"] == contact.stiffness);
+        CHECK(rows[i]["loading_stiffness_N_per_m"] == contact.loading_stiffness);
+        CHECK(csv.number(i, "stiffness_p05_N_per_m") == results.balls[i].low);
+        CHECK(csv.number(i, "hertz_max_pressure_Pa") == results.balls[i].hertz.pressure);
+        CHECK(test::relative_error(rows[i]["mean_pressure_Pa"].get<double>(),
+                                   results.balls[i].hertz.load / (std::numbers::pi * contact.radius * contact.radius)) <
+              1e-15);
+    }
+    // the hardness of steel is taken as 2.6 GPa, which 1 kN exceeds
+    CHECK(!results.balls[2].reason.empty());
+    CHECK(!rows[2].contains("stiffness_N_per_m"));
+    CHECK(rows[2].contains("hertz_stiffness_N_per_m"));
+    CHECK(results.doubtful);
+    CHECK(test::contains(test::joined(results.warnings),
+                         "the ball under 1 kN has no contact: pressure of the ball = 2.8"));
+    const std::string text = document_of(rough, results).text();
+    for (const char* part : {"a [µm]", "loading K", "ball of radius 10 mm", "few contacts;"})
+        CHECK(test::contains(text, part));
+    // faces that a ball closes are smooth at its centre
+    const actions::Results closed = actions::compute(test::scene_of(
+        "[surface]\nrms_height = \"0.3 um\"\nrms_gradient = 0.05\n[material.upper]\nyoungs_modulus = \"3 GPa\"\n"
+        "poisson_ratio = 0.4\nhardness = \"infinite\"\n[contact]\nball_radius = \"3 mm\"\nforce = \"10 N\"\n"));
+    REQUIRE(closed.balls[0].reason.empty());
+    CHECK(closed.balls[0].contact.pressure > closed.answer->curve.states.back().pressure.value);
+    CHECK(test::relative_error(closed.balls[0].contact.stiffness, closed.balls[0].hertz.stiffness) < 0.03);
+    // 1.6 times 2.57/2.8 GPa
+    CHECK(test::contains(test::joined(actions::compute(scene("0.1 um", "[\"10 N\", \"160 N\"]")).warnings),
+                         "the ball under 160 N yields below its face"));
+}
+
 TEST_CASE("The approach is 0 at the seating pressure and grows by dp/K") {
     const test::Csv rows = test::rows_of_scene(
         surface + "[contact]\npressures = [\"0.05 MPa\", \"9.99 MPa\", \"10 MPa\", \"10.01 MPa\"]\n" +

@@ -179,6 +179,24 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
     }
 }
 
+TEST_CASE("A ball without a force, and with what belongs to flat faces, is refused") {
+    const std::string face = "[surface]\nrms_height = \"0.3 um\"\n[contact]\n", ball = "ball_radius = \"10 mm\"\n",
+                      force = "force = \"10 N\"\n";
+    const auto refused = [](const std::string& text, const std::vector<std::string>& parts) {
+        test::check_sentence(test::refused_scene(text), parts);
+    };
+    refused(face + "ball_radius = \"0 mm\"\n" + force, {"scene.toml:4", "contact.ball_radius", "greater than 0"});
+    refused(face + "ball_radius = \"-5 mm\"\n" + force, {"contact.ball_radius", "greater than 0"});
+    refused(face + ball + "pressures = [\"1 MPa\"]\n", {"contact.ball_radius", "contact.force", "contact.pressures"});
+    refused(face + ball, {"contact.pressures", "missing"});
+    refused(face + ball + force + "nominal_area = \"1 mm^2\"\n", {"contact.nominal_area", "contact.ball_radius"});
+    refused(face + ball + force + "washer = { inner = \"1 mm\", outer = \"2 mm\" }\n",
+            {"contact.washer", "contact.ball_radius"});
+    refused(face + ball + force + "laws = [\"hybrid\"]\n", {"contact.laws", "contact.ball_radius"});
+    for (const std::string section : {"gap", "friction", "ultrasound"})
+        refused(face + ball + force + "[" + section + "]\n", {"contact.ball_radius", "section " + section});
+}
+
 TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments") {
     std::string text = test::replaced(good, "\"0.832 um\"", "\"0.832 \xC2\xB5m\"  # Rauheit in \xC2\xB5m, \"fein\"");
     text = test::replaced(text, "\"short\"", "\"\"\"\nge\xC3\xA4tzt \\\" '#' \"\"\"");

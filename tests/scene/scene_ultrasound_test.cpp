@@ -66,6 +66,23 @@ TEST_CASE("The reflection of a scene between unlike media is that of the library
     CHECK(!has(rows, "shear_reflection"));
 }
 
+TEST_CASE("A fluid film is a spring next to K for longitudinal waves, and none for shear waves") {
+    const test::Csv dry = run(without + section);
+    const double film = 2.2e9 / 1.5e-6, z = 7850 * 5900.0;  // water of 1.5 um
+    char text[64];
+    std::snprintf(text, sizeof text, "film_stiffness = \"%.17g Pa/m\"\n", film);
+    const test::Csv wet = run(without + section + text);
+    for (std::size_t i = 0; i < dry.size(); ++i) {
+        const double k = wet.number(i, "stiffness_Pa_per_m");
+        CHECK(k == dry.number(i, "stiffness_Pa_per_m"));
+        CHECK(test::relative_error(wet.number(i, "reflection"), spring(k + film, 7e6, z, z)) < 2e-15);
+        CHECK(wet.number(i, "shear_reflection") == dry.number(i, "shear_reflection"));
+    }
+    const auto scene = test::scene_of(without + section + text);
+    auto json = run_document(scene, fstiff::actions::compute(scene));
+    CHECK(test::contains(json["ultrasound"].str(), "\"film_stiffness_Pa_per_m\": 1.46666666666666"));
+}
+
 TEST_CASE("The reflections are computed only where they are asked for or the section is there") {
     const test::Csv none = run(without);
     CHECK(!has(none, "reflection"));
@@ -139,6 +156,8 @@ TEST_CASE("A section ultrasound that is not whole is refused by file, line and k
     const std::string all = without + section;
     refused(test::replaced(all, "\"7 MHz\"", "7"), {"scene.toml:13", "ultrasound.frequency = 7", "7 MHz"});
     refused(test::replaced(all, "7 MHz", "0 Hz"), {"ultrasound.frequency", "greater than 0"});
+    refused(all + "film_stiffness = \"0 GPa/um\"\n", {"ultrasound.film_stiffness", "greater than 0"});
+    refused(all + "film_stiffness = 1e15\n", {"ultrasound.film_stiffness", "without a unit", "0.1 GPa/um"});
     refused(test::replaced(all, "frequency = \"7 MHz\"\n", ""), {"ultrasound.frequency", "missing"});
     refused(test::replaced(all, steel, ""), {"ultrasound.upper", "missing"});
     refused(test::replaced(all, "velocity = \"5900 m/s\", ", ""), {"ultrasound.upper.impedance", "missing"});

@@ -229,8 +229,10 @@ FSTIFF_INLINE Estimate<double> derived(Derived quantity, const Problem& problem,
                                        const ContactState<double>& s, BandEnd end) {
     const double ratio =
         problem.upper.youngs_modulus > 0 ? tangential_ratio(problem.upper, problem.lower) : 0;  // where it is known
-    const auto reflected = [&](const Impedances<double>& media, double factor) {
-        return fstiff::reflection(s.stiffness * factor, media, problem.ultrasound->angular());
+    const auto reflected = [&](const Impedances<double>& media, double factor, double film) {
+        Estimate<double> seen = s.stiffness * factor;
+        seen.value += film;
+        return fstiff::reflection(seen, media, problem.ultrasound->angular());
     };
     const auto loss = [&](double K) { return loss_of(problem, curve, i, ratio * K, end); };
     switch (quantity) {
@@ -239,8 +241,9 @@ FSTIFF_INLINE Estimate<double> derived(Derived quantity, const Problem& problem,
             const double factor = loss(s.stiffness.value);
             return {factor, std::abs(loss(s.stiffness.value + s.stiffness.error) - factor)};
         }
-        case Derived::reflection: return reflected(problem.ultrasound->longitudinal, 1);
-        case Derived::shear_reflection: return reflected(*problem.ultrasound->shear, ratio);
+        case Derived::reflection:
+            return reflected(problem.ultrasound->longitudinal, 1, problem.ultrasound->film_stiffness);
+        case Derived::shear_reflection: return reflected(*problem.ultrasound->shear, ratio, 0);
         case Derived::thermal_conductance: return conductance_of_spots(true, problem, s);
         case Derived::electrical_conductance: return conductance_of_spots(false, problem, s);
     }

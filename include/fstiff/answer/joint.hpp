@@ -78,6 +78,9 @@ struct Waves {
     double frequency = 0;                     ///< [Hz], above 0
     Impedances<double> longitudinal{};        ///< the wave comes from the upper body
     std::optional<Impedances<double>> shear;  ///< none: not known
+    /// [Pa/m], 0 or more, that longitudinal waves see in addition to K: of a fluid film of the bulk modulus B and the
+    /// thickness h, B/h.
+    double film_stiffness = 0;
 
     [[nodiscard]] double angular() const { return detail::angular_frequency(frequency); }
 };

@@ -205,6 +205,8 @@ FSTIFF_INLINE void take_peaks(Problem& problem) {
 FSTIFF_INLINE void require_surroundings(const Joint& joint) {
     if (joint.waves) {
         require_between("frequency", joint.waves->frequency, 0);
+        require(joint.waves->film_stiffness >= 0 && std::isfinite(joint.waves->film_stiffness), "film_stiffness",
+                joint.waves->film_stiffness, "finite and not negative");
         for (const auto& media : {std::optional(joint.waves->longitudinal), joint.waves->shear})
             if (media)
                 for (const double f : {media->incident, media->beyond}) require_between("impedance", f, 0);

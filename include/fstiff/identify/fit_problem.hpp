@@ -68,6 +68,10 @@ struct Wave {
     Impedances<T> media{};
     T angular_frequency{};
     T stiffness_ratio = T(1);  ///< of the stiffness that the wave sees to K: 1, or Mindlin's for shear waves
+    T film_stiffness{};        ///< of a fluid film next to the contacts, which longitudinal waves see too [Pa/m]
+
+    /// The stiffness that the wave sees.
+    [[nodiscard]] T seen(T stiffness) const { return stiffness_ratio * stiffness + film_stiffness; }
 };
 
 namespace detail {
@@ -165,7 +169,7 @@ protected:
     void put(std::size_t i, T stiffness, const Slope& slope, Vector& residuals, Matrix& jacobian) {
         T value = stiffness, chain = 1;
         if (wave_) {
-            const T k = wave_->stiffness_ratio * stiffness;
+            const T k = wave_->seen(stiffness);
             value = reflection(k, wave_->media, wave_->angular_frequency);
             chain = wave_->stiffness_ratio * detail::reflection_slope(k, wave_->media, wave_->angular_frequency);
         }

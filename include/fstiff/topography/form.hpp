@@ -54,8 +54,10 @@ struct LevelledMap {
 
 namespace detail {
 
+constexpr bool is_round(MapForm form) { return form == MapForm::sphere || form == MapForm::cylinder; }
+
 /// Degree of the polynomial of about as many terms as \p form.
-constexpr int degree_of(MapForm form) { return static_cast<int>(form > MapForm::cubic ? MapForm::quadratic : form); }
+constexpr int degree_of(MapForm form) { return static_cast<int>(is_round(form) ? MapForm::quadratic : form); }
 
 /// Legendre's polynomials 0 to 3 at the points of a side, one a column.
 template <Real S>
@@ -185,8 +187,8 @@ T remove_round_form(HeightMap<T>& map, MapForm form, std::type_identity_t<T> rad
 template <Real T>
 [[nodiscard]] LevelledMap<T> level(const HeightMap<T>& map, MapForm form, std::type_identity_t<T> resolution = 0,
                                    std::type_identity_t<T> radius = 0) {
-    LevelledMap<T> flat{form > MapForm::cubic ? map : remove_form(map, form), form};
-    if (form > MapForm::cubic) flat.radius = remove_round_form(flat.map, form, radius);
+    LevelledMap<T> flat{detail::is_round(form) ? map : remove_form(map, form), form};
+    if (detail::is_round(form)) flat.radius = remove_round_form(flat.map, form, radius);
     const auto removed = [&](Eigen::Index j, Eigen::Index i) { return map.heights(j, i) - flat.map.heights(j, i); };
     flat.tilt = {removed(0, map.columns() - 1) - removed(0, 0), removed(map.rows() - 1, 0) - removed(0, 0)};
     if (form != MapForm::none)

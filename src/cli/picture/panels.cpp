@@ -134,7 +134,8 @@ Panel stiffness_panel(const detail::Problem& problem, const std::vector<DrawnCur
             panel.window = {"|R| " + document::rounded(range->min_reflection, 2) + " to " +
                                 document::rounded(range->max_reflection, 2) + " at " +
                                 document::rounded(waves.frequency / 1e6, 3) + " MHz",
-                            range->low * units.stiffness.factor, range->high * units.stiffness.factor};
+                            std::max(range->low - waves.film_stiffness, 0.0) * units.stiffness.factor,
+                            std::max(range->high - waves.film_stiffness, 0.0) * units.stiffness.factor};
     }
     double least = std::numeric_limits<double>::infinity(), most = 0, last = 0;
     const detail::Law* before = nullptr;
