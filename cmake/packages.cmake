@@ -49,6 +49,6 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
 set(CPACK_SOURCE_GENERATOR TGZ)
 string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" fstiff_source_pattern "${PROJECT_SOURCE_DIR}")
-set(CPACK_SOURCE_IGNORE_FILES "^${fstiff_source_pattern}/build/;^${fstiff_source_pattern}/\\.git;__pycache__")
+set(CPACK_SOURCE_IGNORE_FILES "^${fstiff_source_pattern}/build/;^${fstiff_source_pattern}/\\.git;__pycache__;/\\.[a-z]+_cache/")
 set(CPACK_VERBATIM_VARIABLES ON)
 include(CPack)
