@@ -125,7 +125,8 @@ TEST_CASE("Options are refused by their names where a form has no use for them, 
         {"channel", {.channel = "1"}},
         {"x3p-increment", {.x3p_increment = io::X3pIncrement::ignore}}};
     for (const Reader* form : io::detail::readers())
-        for (auto [name, given] : options) {
+        for (const auto& [name, of_reader] : options) {
+            io::SurfaceOptions given = of_reader;  // clang 14 hands no structured binding to a lambda
             CAPTURE(name_of(form->format), name);
             given.format = form->format;
             const std::string words = " " + std::string(form->options) + " ",
