@@ -18,7 +18,7 @@ TEMPLATE_TEST_CASE("Lines transformed at once are each that line transformed", "
     using Lines = detail::LinesTransform<T>;
     const auto edges = GENERATE(Edges::periodic, Edges::mirrored);
     const std::size_t points = GENERATE(2u, 3u, 4u, 7u, 15u, 16u, 53u, 60u, 106u, 128u);
-    const std::size_t count = GENERATE(Lines::lines, Lines::lines - 3);
+    const std::size_t count = GENERATE(std::size_t(Lines::lines), Lines::lines - 3);
     std::mt19937 random(3);
     std::vector<T> rows(points * count);  // a line a row
     for (T& z : rows) z = static_cast<T>(random()) / static_cast<T>(4294967296.0) - T(0.3);
