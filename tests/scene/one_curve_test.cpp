@@ -107,4 +107,26 @@ TEST_CASE("The loading stiffness of a map that yields is that of the separations
     }
 }
 
+TEST_CASE("Bands of a plastic law over many pressures, which are computed at a few, are those of each by itself") {
+    const Body steel{.elastic = {205e9, 0.3}, .yield_strength = 400e6};
+    const Joint joint{.face = {.rms_height = 0.8e-6,
+                               .rms_gradient = 0.1,
+                               .alpha = 10,
+                               .errors = {.height = 0.05e-6, .gradient = 0.01}},
+                      .upper = steel,
+                      .lower = steel};
+    const AnswerOptions options{.laws = {LawName::jackson_green}, .samples = 40};
+    const std::vector<double> many = pressures_of(1e6, 1e8, 61);
+    const Answer of_many = answer(joint, many, options);
+    for (const std::size_t i : {0u, 17u, 40u, 60u}) {
+        const auto& found = of_many.laws.front().points[i].stiffness;
+        const auto alone = answer(joint, std::vector{many[i]}, options).laws.front().points.front().stiffness;
+        CAPTURE(many[i]);
+        CHECK(found.value == alone.value);
+        CHECK(found.low < 0.95 * found.value);
+        CHECK(test::relative_error(found.low, alone.low) < 1e-6);  // 4e-8 by the polynomial over ln p
+        CHECK(test::relative_error(found.high, alone.high) < 1e-6);
+    }
+}
+
 }  // namespace one_curve_test
