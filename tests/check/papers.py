@@ -74,13 +74,13 @@ def figures(root):
     return found
 
 
-def of_paper(root, update):
+def of_paper(root, found, update):
     """The paper has the figures and no other, the sections and the length that the Journal of Open Source Software asks for, and cites
     all of its bibliography."""
     paper = root / "paper/paper.md"
     text = paper.read_text(encoding="utf-8")
     marked = re.compile(r"(?s)(?<=<!-- accuracy -->).*(?=<!-- /accuracy -->)")
-    wanted = ACCURACY.format(**figures(root))
+    wanted = ACCURACY.format(**found)
     if update:
         paper.write_text(text := marked.sub(lambda _: wanted, text), encoding="utf-8")
     if marked.search(text)[0] != wanted:
@@ -99,8 +99,8 @@ def of_paper(root, update):
         yield f"cites what paper.bib lacks, or leaves out what it has: {sorted(cited ^ there)}"
 
 
-def of_pages(root):
-    found = figures(root)
+def of_pages(root, found):
+    """The pages have the shares of SHARES."""
     for page, phrases in SHARES.items():
         text = (root / page).read_text(encoding="utf-8")
         for phrase in phrases:
@@ -127,8 +127,9 @@ def of_metadata(root):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    problems = [f"paper/paper.md: {problem}" for problem in of_paper(root, "--update" in sys.argv)]
-    problems += [*of_pages(root), *of_metadata(root)]
+    found = figures(root)
+    problems = [f"paper/paper.md: {problem}" for problem in of_paper(root, found, "--update" in sys.argv)]
+    problems += [*of_pages(root, found), *of_metadata(root)]
     print("\n".join(problems) or "paper and metadata agree with the documents")
     sys.exit(1 if problems else 0)
 
