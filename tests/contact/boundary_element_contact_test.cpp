@@ -74,6 +74,11 @@ TEST_CASE("boundary elements as a contact refuse points out of reach and keep th
     const ContactState<double> pressed = hard.at_pressure(0.01);
     CHECK(pressed.loading_stiffness.value > 0);
     CHECK(pressed.loading_stiffness.value <= pressed.stiffness.value);
+    const ContactState<double> of_unloading = hard.at_pressure(0.01, Quantity::stiffness);
+    CHECK(of_unloading.stiffness.value == pressed.stiffness.value);
+    CHECK(of_unloading.stiffness.error == pressed.stiffness.error);
+    CHECK(of_unloading.separation.value == pressed.separation.value);
+    CHECK(of_unloading.loading_stiffness.value == pressed.stiffness.value);
     const BoundaryElementContact<double> elastic(map, 2, {.points = 32});
     CHECK(elastic.point_at_pressure(1e6).reason == "all points of the map are in contact");
     CHECK(test::refusal([&] { (void)elastic.at_pressure(1e6); }) == "all points of the map are in contact");

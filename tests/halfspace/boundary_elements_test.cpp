@@ -164,6 +164,27 @@ TEST_CASE("previous solutions do not matter to the last digit") {
     }
 }
 
+TEST_CASE("what is not asked for is not solved, and changes nothing else") {
+    const HeightMap<double> map = detail::coarsened(test::half_space_map("gaussian"), 64);
+    const auto solved = [&](bool stiffness, bool loading) {
+        BoundaryElements<double> elements(map, 1.0, {.hardness = 0.02, .stiffness = stiffness, .loading = loading});
+        return elements.at_pressure(1e-3);
+    };
+    const auto all = solved(true, true), of_unloading = solved(true, false), gap = solved(false, false);
+    REQUIRE(all.loading_stiffness < 0.9 * all.stiffness);
+    CHECK(of_unloading.stiffness == all.stiffness);
+    CHECK(of_unloading.loading_stiffness == all.stiffness);
+    CHECK(gap.stiffness == 0);
+    for (const auto& state : {of_unloading, gap}) {
+        CHECK(state.converged);
+        CHECK(state.mean_gap == all.mean_gap);
+        CHECK(state.contact_fraction == all.contact_fraction);
+        CHECK(state.below_hardness == all.below_hardness);
+    }
+    CHECK(of_unloading.iterations <= all.iterations);
+    CHECK(gap.iterations < all.iterations);
+}
+
 TEST_CASE("the grid half as fine is that map solved by itself") {
     const HeightMap<double> map = test::half_space_map("skewed");
     BoundaryElements<double> fine(map, 1.0), half(detail::coarsened(map, 128), 1.0);

@@ -71,4 +71,31 @@ TEST_CASE("Keys written in a scene hold for every lambda_s") {
     }
 }
 
+TEST_CASE("The ends of a band at separations are K of surfaces that are so much taller") {
+    const auto of = [](double taller, const std::string& contact) {
+        const auto times = [taller](double value) { return std::to_string(value * taller); };
+        return test::results_of("[surface]\nrms_height = \"" + times(500) + " nm\"\nrms_gradient = " + times(0.1) +
+                                "\nalpha = 10\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n"
+                                "[surface.errors]\nrms_height = \"50 nm\"\n[material.upper]\n"
+                                "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\nhardness = \"3 GPa\"\n[contact]\n" +
+                                contact);
+    };
+    // K of proportional is a constant over the rms height: its band has the heights at 5 and 95 % of those drawn
+    const auto heights = of(1, "pressures = [\"1 MPa\"]\nlaws = [\"proportional\"]\n[uncertainty]\nsamples = 400\n");
+    const auto& band = heights.curves[0].band[0];
+    const double K = heights.curves[0].states[0].stiffness.value;
+    const std::string laws = "separations = [\"1.5 um\", \"1 um\", \"0.5 um\"]\nlaws = [\"hybrid\", \"plastic\"]\n";
+    const auto drawn = of(1, laws + "[uncertainty]\nsamples = 400\n"),
+               low = of(K / band.high, laws + "[uncertainty]\nsamples = 0\n"),
+               high = of(K / band.low, laws + "[uncertainty]\nsamples = 0\n");
+    REQUIRE(drawn.curves.size() == 2);
+    for (std::size_t c = 0; c < 2; ++c)
+        for (std::size_t i = 0; i < 3; ++i) {
+            INFO(fstiff::actions::title(drawn.curves[c]) << ", point " << i);
+            const auto& ends = drawn.curves[c].band[i];  // K of drawn surfaces is right to 1.2e-3
+            CHECK(std::abs(ends.low / low.curves[c].states[i].stiffness.value - 1) < 1.2e-3);
+            CHECK(std::abs(ends.high / high.curves[c].states[i].stiffness.value - 1) < 1.2e-3);
+        }
+}
+
 }  // namespace band_test

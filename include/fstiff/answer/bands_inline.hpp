@@ -15,6 +15,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -200,13 +201,26 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
 }
 
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
-    const std::vector<Face>& neighbours = problem.face.neighbours;
-    detail::run_pieces(request.parallel, neighbours.size() + 1, [&](std::size_t i) {
-        const Problem neighbour = with_face(problem, i == 0 ? problem.face : neighbours[i - 1]);
+    const LawOptions& options = problem.law_options;
+    const double modulus = problem.effective_modulus;
+    const auto asks_for = [&](LawName name) { return std::ranges::count(request.laws, &find_law(name)) > 0; };
+    const bool flows = asks_for(LawName::plastic), hands_over = flows || asks_for(LawName::hybrid);
+    std::set<const MapOfSurface*> maps;  // neighbours may have that of the surface itself
+    std::vector<std::function<void()>> pieces;
+    const auto add = [&](const Face& face) {
+        if (!face.map || !face.spectrum_of_map || !maps.insert(face.map.get()).second) return;
+        for (std::size_t i = face.map->first_bearing; i < face.map->first_bearing + face.map->summits.size(); ++i) {
+            const BearingsOfMaps& bearings = *face.map->bearings;
+            if (hands_over)
+                pieces.push_back([&, i] { (void)bearings.hand_over(i, options.edges, modulus, options.gamma); });
+            if (flows) pieces.push_back([&, i] { (void)bearings.cut(i, options.edges, modulus); });
+        }
+    };
+    add(problem.face);
+    for (const Face& neighbour : problem.face.neighbours) add(neighbour);
+    detail::run_pieces(request.parallel, pieces.size(), [&](std::size_t i) {
         try {
-            for_each_contact(neighbour, request.laws, {}, [](const ContactOfLaw& recipe) {
-                if (recipe.law->varies) (void)recipe.make();
-            });
+            pieces[i]();
         } catch (const domain_error&) {  // whoever needs it finds it again
         }
     });

@@ -89,7 +89,6 @@ FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, con
 
 /// High over low of the band at the point \p place once \p unknown of the faces is known; infinite without a band.
 FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown unknown) {
-    if (unknown == Unknown::hardness) problem = with_hardness(std::move(problem), hardness_of(problem));
     for (Face& face : problem.faces) face = with_measured(std::move(face), unknown);
     problem.face = with_measured(std::move(problem.face), unknown);
     request.points = {request.points[place]};
@@ -102,6 +101,12 @@ FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size
     } catch (const domain_error&) {  // as where some drawn surfaces have other peaks than the rest
     }
     return std::numeric_limits<double>::infinity();
+}
+
+/// High over low of the band of \p causes.
+FSTIFF_INLINE double factor_of(const Causes<double>& causes) {
+    const auto [low, high] = detail::band_of(causes);
+    return std::exp(high - low);
 }
 
 /// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
@@ -122,8 +127,7 @@ FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason
     } else {
         scale(Cause::contacts, profile ? 0.25 : 0.5);
     }
-    const auto [low, high] = detail::band_of(causes);
-    return std::exp(high - low);
+    return factor_of(causes);
 }
 
 FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,
@@ -138,8 +142,11 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
     for (const auto unknown : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
         if (!map && problem.face.is_open(unknown) && !(measured && detail::is_of_shape(unknown)))
             consider(unknown, factor_of_known(problem, request, answer.places[i], unknown));
-    if (problem.hardness_range && feels_hardness(problem, {answer.law}))
-        consider(Unknown::hardness, factor_of_known(problem, request, answer.places[i], Unknown::hardness));
+    if (problem.hardness_range && feels_hardness(problem, {answer.law})) {
+        Causes<double> others = facts.reasons[i].causes;
+        others[static_cast<std::size_t>(Cause::hardness)] = {};
+        consider(Unknown::hardness, factor_of(others));
+    }
     if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[i]));
     return most;
 }

@@ -199,7 +199,7 @@ void seat(const Request& request, const AnyContact& contact, LawCurve& curve);
 
 namespace fstiff::inline v0_1::detail {
 
-/// Makes the contacts of \p problem and of its neighbours, each in a piece, for what they keep of their maps.
+/// Makes what the laws of \p request keep of the maps of \p problem and of its neighbours, in pieces.
 void make_contacts(const Problem& problem, const Request& request);
 /// Gives each of \p curves, of the laws of \p request, whose law varies, its band: 5 % to 95 % over surfaces drawn
 /// about this one by its errors, and, where the surface was measured, the spread of K over the neighbours at half and

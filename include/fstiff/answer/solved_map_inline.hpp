@@ -150,15 +150,17 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
         places.push_back(count <= most ? k : k * (count - 1) / (most - 1));
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
-    const TruthOptions<double> settings{problem.law_options.points, problem.law_options.edges, hardness, false,
-                                        parallel ? ProgressHook() : progress};
+    const HeightMap<double> grid = detail::map_for_truth(map, problem.law_options.points);
+    const TruthOptions<double> settings{.points = problem.law_options.points,
+                                        .edges = problem.law_options.edges,
+                                        .hardness = hardness,
+                                        .grid_error = false,
+                                        .loading = false,
+                                        .progress = parallel ? ProgressHook() : progress};
     std::vector<TruthPoint<double>> truths(pressures.size());
-    if (parallel)
-        detail::run_pieces(parallel, truths.size(), [&](std::size_t k) {
-            truths[k] = truth(map, problem.effective_modulus, std::span(&pressures[k], 1), settings).front();
-        });
-    else
-        truths = truth(map, problem.effective_modulus, pressures, settings);
+    detail::run_pieces(parallel, truths.size(), [&](std::size_t k) {
+        truths[k] = truth(grid, problem.effective_modulus, std::array{pressures[k]}, settings).front();
+    });
     std::vector<double> out(count);
     for (std::size_t k = 0; k < places.size(); ++k) {
         const double change = std::log(truths[k].state.stiffness / solved.states[places[k]].stiffness.value);

@@ -179,7 +179,7 @@ public:
     /// \throws domain_error unless it is positive and its pressure within reach.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
         return is_plain() ? gaussian_.at_separation(separation, quantities)
-                          : this->state_at_separation(separation, quantities);
+                          : detail::SlopeContact<BearingContact<T>, T>::at_separation(separation, quantities);
     }
 
     /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of
@@ -268,11 +268,6 @@ public:
         state.separation = detail::has(quantities, Quantity::separation) ? separation(pressure) : Estimate<T>{};
         state.eta = state.separation.value / rms_height();
         return state;
-    }
-    /// The contact at the separation \p separation [m] of the mean planes.
-    /// \throws domain_error unless it is positive and its pressure within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
-        return this->state_at_separation(separation, quantities);
     }
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as at_pressure.
     [[nodiscard]] T stiffness(T pressure) const {

@@ -47,12 +47,14 @@ public:
 
     /// The state under \p pressure [Pa]; out of reach where all points touch, where the solver does not converge, and
     /// from the hardness on. \throws domain_error for a pressure that is not positive.
-    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity = Quantity::all) const {
+    [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         detail::require_positive("pressure", pressure);
         if (options_.hardness > T(0) && !(pressure < options_.hardness))
             return ContactPoint<T>::out_of_reach("pressure = " + detail::shortest_text(pressure) +
                                                  ": must be less than the hardness (Pa)");
-        const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options_).front();
+        TruthOptions<T> options = options_;
+        options.loading = detail::has(quantities, Quantity::loading_stiffness);
+        const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options).front();
         if (std::isinf(solved.state.stiffness))
             return ContactPoint<T>::out_of_reach("all points of the map are in contact");
         if (std::isinf(solved.stiffness_error))
@@ -61,7 +63,7 @@ public:
         return ContactPoint<T>::of(state_of(solved));
     }
     /// The state at the mean gap \p separation [m].
-    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity = Quantity::all) const {
+    [[nodiscard]] ContactPoint<T> point_at_separation(T separation, Quantity quantities = Quantity::all) const {
         const T mean = map_.heights.mean(), highest = map_.heights.maxCoeff() - mean;
         const T lowest = options_.hardness > T(0) ? map_.heights.minCoeff() - mean : T(0);
         if (!(separation > lowest && separation < highest))
@@ -69,7 +71,7 @@ public:
                                                  ": must be greater than " + detail::shortest_text(lowest) +
                                                  " and less than the highest point (m)");
         TruthOptions<T> one_grid = options_;
-        one_grid.grid_error = false;
+        one_grid.grid_error = one_grid.loading = false;
         one_grid.progress = {};
         const auto excess = [&](T log_pressure) {  // of the gap, and its slope over log p
             const T pressure = std::exp(log_pressure);
@@ -83,7 +85,7 @@ public:
         if (!solution.converged())
             return ContactPoint<T>::out_of_reach("separation = " + detail::shortest_text(separation) +
                                                  ": must be that of some pressure (m)");
-        return point_at_pressure(std::exp(solution.root));
+        return point_at_pressure(std::exp(solution.root), quantities);
     }
     /// \throws domain_error where there is no point.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
@@ -117,7 +119,7 @@ private:
         const bool flows = state.loading_stiffness < state.stiffness;
         if (!flows || T(state.below_hardness) >= few || !(above < options_.hardness)) return state.loading_stiffness;
         TruthOptions<T> one_grid = options_;
-        one_grid.grid_error = false, one_grid.progress = {};
+        one_grid.grid_error = one_grid.stiffness = false, one_grid.progress = {};
         const auto truths = truth(map_, modulus_, std::array{below, above}, one_grid);
         const T slope = (above - below) / (truths[0].state.mean_gap - truths[1].state.mean_gap);
         return std::clamp(slope, T(0), state.stiffness);

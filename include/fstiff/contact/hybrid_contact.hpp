@@ -87,12 +87,6 @@ public:
         return state;
     }
 
-    /// The contact at the separation \p separation [m] of the mean planes.
-    /// \throws domain_error unless it is positive and its pressure within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
-        return this->state_at_separation(separation, quantities);
-    }
-
     /// Separation [m] of the mean planes under \p pressure [Pa]; 0 from 2 E g on. \throws domain_error as stiffness.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
         detail::require_positive("pressure", pressure);

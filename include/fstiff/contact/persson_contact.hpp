@@ -144,12 +144,6 @@ public:
         return state;
     }
 
-    /// The contact at the separation \p separation [m] of the mean planes.
-    /// \throws domain_error unless it is positive and its pressure is within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
-        return this->state_at_separation(separation, quantities);
-    }
-
     /// K [Pa/m] of the theory under \p pressure [Pa], compared with boundary elements or not.
     /// \throws domain_error unless it is positive and at most 18 E g.
     [[nodiscard]] T stiffness(T pressure) const {

@@ -23,9 +23,7 @@
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
-#include <atomic>
 #include <memory>
-#include <vector>
 
 namespace fstiff::inline v0_1 {
 
@@ -90,8 +88,7 @@ template <Real T>
 }
 
 /// K of the highest points of a map of at most 256 points a side over that of a Gaussian cut: at knots of z, each
-/// computed when it is first asked for, and by a power of it between them. Threads that ask at once compute the same
-/// number.
+/// computed when it is first asked for, and by a power of it between them.
 template <Real T>
 class CutKnots {
 public:
@@ -99,9 +96,7 @@ public:
         : points_(map, effective_modulus, edges),
           gaussian_(gaussian_cut(map, effective_modulus, edges)),
           last_(-math::normal_quantile(T(1.5) / static_cast<T>(points_.count()))),
-          log_ratio_(static_cast<std::size_t>(2 * last_ / step) + 2) {
-        for (auto& ratio : log_ratio_) ratio.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
-    }
+          log_ratio_(static_cast<std::size_t>(2 * last_ / step) + 2) {}
     [[nodiscard]] T ratio(T share) const {
         const T place = (last_ - std::clamp(-math::normal_quantile(share), -last_, last_)) / step;
         const auto i = static_cast<std::size_t>(place);
@@ -112,19 +107,16 @@ private:
     static constexpr T step = T(0.75);  ///< of z
 
     [[nodiscard]] T log_at(std::size_t knot) const {
-        T known = log_ratio_[knot].load(std::memory_order_relaxed);
-        if (std::isnan(known)) {
+        return log_ratio_.at(knot, [&] {
             const T share = math::normal_share((std::min)(static_cast<T>(knot) * step - last_, last_));
-            known = std::log(points_.stiffness(share, T(1e-3)) / gaussian_.stiffness(share));
-            log_ratio_[knot].store(known, std::memory_order_relaxed);
-        }
-        return known;
+            return std::log(points_.stiffness(share, T(1e-3)) / gaussian_.stiffness(share));
+        });
     }
 
     HighestPoints<T> points_;
     GaussianCut<T> gaussian_;
-    T last_;                                         ///< z of one and a half points
-    mutable std::vector<std::atomic<T>> log_ratio_;  ///< from z = last_ down; NaN: not yet
+    T last_;               ///< z of one and a half points
+    Panels<T> log_ratio_;  ///< from z = last_ down
 };
 
 /// Cut of a map. Copies share the computed numbers.
@@ -174,6 +166,7 @@ public:
         detail::require_positive("hardness", hardness);
     }
 
+    using Base::at_separation;  // on loading; the separation may be negative
     using Base::bulk_compliance;
     using Base::interaction;
     using Base::point_at_pressure;
@@ -209,12 +202,6 @@ public:
         if (detail::has(quantities, Quantity::separation)) state.separation = separation(pressure);
         state.eta = state.separation.value / rms_height();
         return state;
-    }
-
-    /// The contact on loading at the separation \p separation [m] of the mean planes, which may be negative.
-    /// \throws domain_error unless its pressure is within reach.
-    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
-        return this->state_at_separation(separation, quantities);
     }
 
     /// Separation [m] of the mean planes on loading under \p pressure [Pa] < H.

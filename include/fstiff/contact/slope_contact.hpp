@@ -17,15 +17,15 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// Integrals over panels of one length, from a pressure downwards, each computed when it is first asked for. Copies
-/// share them; threads that ask at once compute the same number.
+/// Numbers of panels or knots, each computed when it is first asked for. Copies share them; threads that ask at once
+/// compute the same number.
 template <Real T>
 class Panels {
 public:
     explicit Panels(std::size_t most) : known_(std::make_shared<std::vector<std::atomic<T>>>(most)) {
         for (auto& panel : *known_) panel.store(std::numeric_limits<T>::quiet_NaN(), std::memory_order_relaxed);
     }
-    /// The integral over panel \p i, which \p integral computes.
+    /// That of number \p i, which \p integral computes.
     template <class Integral>
     [[nodiscard]] T at(std::size_t i, const Integral& integral) const {
         if (i >= known_->size()) return integral();
@@ -38,10 +38,26 @@ private:
     std::shared_ptr<std::vector<std::atomic<T>>> known_;
 };
 
-/// \p Derived has at_pressure, at_separation, log_pressure and rms_height.
+/// \p Derived has at_pressure, log_pressure and rms_height.
 template <class Derived, Real T>
 class SlopeContact {
 public:
+    /// The contact at the separation \p separation [m] of the mean planes; the error of its pressure enters every
+    /// value. \throws domain_error as log_pressure.
+    [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
+        const T eta = separation / self().rms_height();
+        const LogSlope<T> p = self().log_pressure(eta);
+        const T pressure = std::exp(p.log);
+        ContactState<T> state = self().at_pressure(pressure, quantities);
+        for (Estimate<T>* e :
+             {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
+            e->error += 2 * p.error * e->value;
+        state.pressure =
+            has(quantities, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
+        state.separation = {separation, 0, 0};
+        state.eta = eta;
+        return state;
+    }
     /// at_pressure with a status: out_of_reach beyond the model. \throws domain_error unless positive.
     [[nodiscard]] ContactPoint<T> point_at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         require_positive("pressure", pressure);
@@ -88,22 +104,6 @@ protected:
         require(solution.converged(), "eta", eta, reach);
         const T p = std::exp(solution.root), per_height = self().stiffness(p) / p;
         return {solution.root, -per_height * rms, solution.error + self().separation(p).error * per_height};
-    }
-
-    /// The state at the pressure that \p separation has; the error of the pressure enters every value.
-    [[nodiscard]] ContactState<T> state_at_separation(T separation, Quantity quantities) const {
-        const T eta = separation / self().rms_height();
-        const LogSlope<T> p = self().log_pressure(eta);
-        const T pressure = std::exp(p.log);
-        ContactState<T> state = self().at_pressure(pressure, quantities);
-        for (Estimate<T>* e :
-             {&state.stiffness, &state.loading_stiffness, &state.real_area_fraction, &state.contact_density})
-            e->error += 2 * p.error * e->value;
-        state.pressure =
-            detail::has(quantities, Quantity::pressure) ? Estimate<T>{pressure, p.error * pressure, 1} : Estimate<T>{};
-        state.separation = {separation, 0, 0};
-        state.eta = eta;
-        return state;
     }
 
 private:

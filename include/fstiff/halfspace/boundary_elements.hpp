@@ -38,6 +38,8 @@ struct BoundaryElementOptions {
     T hardness{};           ///< H [Pa] at which pressures are cut; 0: elastic
     T tolerance = T(1e-8);  ///< change of the pressures over their sum at which the solution counts as found
     int max_iterations = 2000;
+    bool stiffness = true;    ///< solve for K too, which is 0 otherwise
+    bool loading = true;      ///< solve for the loading stiffness too where it is not K; it is K otherwise
     ProgressHook progress{};  ///< called once an iteration, with max_iterations as the end
 };
 
@@ -71,9 +73,9 @@ public:
     /// The contact under \p pressure [Pa], whatever was solved before. \throws domain_error unless 0 < pressure, < H.
     [[nodiscard]] BoundaryElementState<T> at_pressure(T pressure);
 
-    /// State of the last solution on the grid half as fine, from which it began. \throws domain_error before
-    /// at_pressure() and without such a grid: for less than 16 points along the shorter side, and for heights that all
-    /// cancel on it.
+    /// State of the last solution on the grid half as fine, from which it began; its loading stiffness is K.
+    /// \throws domain_error before at_pressure() and without such a grid: for less than 16 points along the shorter
+    /// side, and for heights that all cancel on it.
     [[nodiscard]] BoundaryElementState<T> on_coarser_grid();
 
     /// Pressures of the last solution [Pa], mirrored rows and columns left out.
@@ -148,6 +150,7 @@ BoundaryElements<T>::BoundaryElements(const HeightMap<T>& map, std::type_identit
     if (half.heights.maxCoeff() == half.heights.minCoeff()) return;  // heights that cancel, of a zigzag
     BoundaryElementOptions<T> silent = options;
     silent.progress = {};
+    silent.loading = false;
     coarser_.emplace_back(half, effective_modulus, silent);
 }
 
@@ -214,10 +217,10 @@ BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Solution& s
     state.spots = count_spots();
     if (count == p_.size()) {
         state.stiffness = std::numeric_limits<T>::infinity();
-    } else {
+    } else if (options_.stiffness) {
         const Solution unit = held(std::numeric_limits<T>::infinity());
         state.stiffness = state.loading_stiffness = modulus_ / unit.value;
-        if (state.below_hardness < count)
+        if (options_.loading && state.below_hardness < count)
             state.loading_stiffness = state.below_hardness > 0 ? modulus_ / held(hard()).value : T(0);
         state.iterations += unit.iterations;
         state.converged = state.converged && unit.residual <= held_tolerance;
@@ -339,9 +342,12 @@ template <Real T>
 void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
     T low = p.minCoeff() - hard, high = p.maxCoeff(), shift = 0;  // with these means of H and 0
     for (int i = 0; i < 100; ++i) {
-        const Field cut = (((p - shift).max)(T(0)).min)(hard);
+        const auto cut = (((p - shift).max)(T(0)).min)(hard);
         const T excess = cut.mean() - nominal;
-        const T slope = T((cut > T(0) && cut < hard).count()) / T(p.size());
+        Eigen::Index inside = 0;
+        for (const T* value = p.data(); value != p.data() + p.size(); ++value)  // no jumps: a loop of vectors
+            inside += Eigen::Index(*value - shift > T(0)) & Eigen::Index(*value - shift < hard);
+        const T slope = T(inside) / T(p.size());
         if (std::abs(excess) <= 4 * std::numeric_limits<T>::epsilon() * nominal || i == 99) {
             p = cut;
             return;
@@ -364,32 +370,23 @@ template <Real T>
 Eigen::Index BoundaryElements<T>::count_spots() const {
     const Eigen::Index rows = p_.rows(), columns = p_.cols();
     const bool round = options_.edges == Edges::periodic;
-    std::vector<char> seen(static_cast<std::size_t>(p_.size()), 0);
-    std::vector<std::pair<Eigen::Index, Eigen::Index>> open;
+    Field rest = p_;  // of the spots that were not yet counted
+    std::vector<Eigen::Index> open;
     Eigen::Index spots = 0;
-    const auto visit = [&](Eigen::Index j, Eigen::Index i) {
-        if (round) {
-            j = (j + rows) % rows;
-            i = (i + columns) % columns;
-        } else if (j < 0 || i < 0 || j >= rows || i >= columns) {
-            return false;
+    for (Eigen::Index k = 0; k < rest.size(); ++k) {
+        if (!(std::exchange(rest.data()[k], T(0)) > 0)) continue;
+        ++spots;
+        for (open = {k}; !open.empty();) {
+            const Eigen::Index j = open.back() / columns, i = open.back() % columns;
+            open.pop_back();
+            for (Eigen::Index y = j - 1; y <= j + 1; ++y)
+                for (Eigen::Index x = i - 1; x <= i + 1; ++x) {
+                    if (!round && (y < 0 || x < 0 || y >= rows || x >= columns)) continue;
+                    const Eigen::Index next = (y + rows) % rows * columns + (x + columns) % columns;
+                    if (std::exchange(rest.data()[next], T(0)) > 0) open.push_back(next);
+                }
         }
-        char& mark = seen[static_cast<std::size_t>(j * columns + i)];
-        if (mark != 0 || !(p_(j, i) > 0)) return false;
-        mark = 1;
-        open.emplace_back(j, i);
-        return true;
-    };
-    for (Eigen::Index j = 0; j < rows; ++j)
-        for (Eigen::Index i = 0; i < columns; ++i) {
-            if (visit(j, i)) ++spots;
-            while (!open.empty()) {
-                const auto [y, x] = open.back();
-                open.pop_back();
-                for (Eigen::Index dy = -1; dy <= 1; ++dy)
-                    for (Eigen::Index dx = -1; dx <= 1; ++dx) visit(y + dy, x + dx);
-            }
-        }
+    }
     return spots;
 }
 

@@ -17,6 +17,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/math/rounding.hpp>
+#include <fstiff/math/statistics.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ template <Real T>
     sorted.reserve(heights.size());
     std::copy_if(heights.begin(), heights.end(), std::back_inserter(sorted), [](T z) { return !std::isnan(z); });
     detail::require(!sorted.empty(), "heights of a bearing curve", sorted.size(), "at least 1");
-    std::sort(sorted.begin(), sorted.end(), std::greater<>());
+    math::sort_falling<T>(sorted, std::identity());
     BearingCurve<T> curve;
     for (std::size_t k = 0; k <= steps; ++k) {
         curve.share.push_back(static_cast<T>(k) / static_cast<T>(steps));
@@ -88,14 +89,13 @@ public:
         std::vector<T> sorted;
         for (const T z : heights)
             if (!std::isnan(z)) sorted.push_back(z);
-        std::sort(sorted.begin(), sorted.end());
+        math::sort_falling<T>(sorted, [](T z) { return -z; });
         return of_sorted(
             sorted, [](std::size_t, std::size_t, T) {}, spacing);
     }
 
     /// Curve of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of
     /// equal ones.
-    /// ones.
     template <class Use>
     [[nodiscard]] static BearingSlope of_sorted(std::span<const T> sorted, const Use& use, T spacing = T(1) / 512) {
         std::vector<Knot> knots;

@@ -149,8 +149,8 @@ public:
     void forward() {
         if (single_) return one_by_one(&LineTransform<T>::forward);
         for (std::size_t i = 0; i < points_; ++i) {
-            std::copy_n(&values_[i * lines], width, &re_[place(i)]);
-            std::copy_n(&values_[i * lines + width], width, &im_[place(i)]);
+            V::load(&values_[i * lines]).store(&re_[place(i)]);
+            V::load(&values_[i * lines + width]).store(&im_[place(i)]);
         }
         fft_->transform(re_.data(), im_.data());
         const V half = V::all(T(1) / 2);
@@ -175,8 +175,8 @@ public:
         }
         fft_->transform(im_.data(), re_.data());
         for (std::size_t i = 0; i < points_; ++i) {
-            std::copy_n(&re_[place(i)], width, &values_[i * lines]);
-            std::copy_n(&im_[place(i)], width, &values_[i * lines + width]);
+            V::load(&re_[place(i)]).store(&values_[i * lines]);
+            V::load(&im_[place(i)]).store(&values_[i * lines + width]);
         }
     }
 

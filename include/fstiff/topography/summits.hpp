@@ -20,6 +20,7 @@
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace fstiff::inline v0_1 {
@@ -147,11 +148,13 @@ template <Real T>
     const auto tile = [&](T x, T side) {
         return (std::min)(tiles - 1, static_cast<std::size_t>(x / side * static_cast<T>(tiles)));
     };
-    Summits<T> drawn = sample;
-    drawn.summits.clear();
+    std::vector<Summit<T>> drawn;
+    drawn.reserve(sample.summits.size());
     for (const Summit<T>& s : sample.summits)
-        drawn.summits.insert(drawn.summits.end(), times[tile(s.y, sample.height) * tiles + tile(s.x, sample.width)], s);
-    return drawn;
+        for (std::size_t n = times[tile(s.y, sample.height) * tiles + tile(s.x, sample.width)]; n > 0; --n)
+            drawn.push_back(s);
+    return {std::move(drawn),  sample.area, sample.width, sample.height,
+            sample.rms_height, sample.dx,   sample.dy,    sample.ridges};
 }
 
 }  // namespace detail
