@@ -228,7 +228,7 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
                          [&](const detail::ParameterRow& row) { return name == row.short_name || name == row.key; });
         if (entry == detail::parameter_table.end())
             throw document::option_error(option + ": \"" + name + "\" is not a parameter; must be one of " +
-                                         document::list_of(parameter_short_names));
+                                         document::list_and_suggestion(name, parameter_short_names));
         if (std::count(wanted.begin(), wanted.end(), entry->parameter) > 0)
             throw document::option_error(option + ": \"" + name + "\" is listed twice");
         wanted.push_back(entry->parameter);

@@ -76,10 +76,9 @@ double difference(const Number& number, double x, const F& f) {
 
 OneContact make_contact(const std::string& law, Joint joint, const ProgressHook& progress) {
     const detail::Law* const named = detail::find_law(law);
-    if (!named) {
-        const auto names = detail::law_names();
-        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " + document::list_of(names));
-    }
+    if (!named)
+        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " +
+                           document::list_and_suggestion(law, detail::law_names()));
     const std::string name = "law " + law + ": needs ";
     if (named->needs_yield && std::isnan(joint.upper.elastic.poisson_ratio)) throw domain_error(name + "poisson_ratio");
     const bool has_radius = joint.face.measured || (joint.face.peak_radius && joint.face.peak_density);

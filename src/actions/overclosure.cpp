@@ -72,7 +72,7 @@ const detail::Law& law_of(const Scene& scene, const PressureTableOptions& option
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
     throw domain_error(surface::option_name(options.prefix, "law") + " = \"" + name +
                        "\": is not a law of the scene that gives a separation; must be one of " +
-                       document::list_of(names));
+                       document::list_and_suggestion(name, names));
 }
 
 /// \p scene with one law, its separation, K and -dp/dd, at pressures so close that sixteen or so lie between two rows,

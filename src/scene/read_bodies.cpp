@@ -39,7 +39,7 @@ const NamedMaterial& named_material(Source& source, const toml::node& node, cons
         for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
     source.refuse(node, key,
                   (near ? "is no material that is known; did you mean " : "must be one of ") +
-                      document::list_of(names) + (near ? "? Or give" : ", or") +
+                      document::list_and_suggestion(near ? "" : name, names) + (near ? "? Or give" : ", or") +
                       " a section with youngs_modulus and poisson_ratio");
 }
 
