@@ -33,13 +33,6 @@ TEST_CASE("Unknowns widen a band by squares as do those of one kind and the grea
     CHECK(relative_error(parts.shape_high, 0.05) < 1e-14);
     CHECK(relative_error(std::log(wide.band.low / k), -std::hypot(0.2, 0.5, std::hypot(0.2, 0.1))) < 1e-13);
     CHECK(relative_error(std::log(wide.band.high / k), std::hypot(0.1, std::sqrt(0.26), 0.05)) < 1e-13);
-    const auto greatest = detail::greatest_unknown(parts);
-    REQUIRE(greatest);
-    CHECK(greatest->which == Unknown::gradient);
-    const double without = std::hypot(0.2, std::hypot(0.2, 0.1)) + std::hypot(0.1, 0.1, 0.05),
-                 with = std::log(wide.band.high / wide.band.low);
-    CHECK(relative_error(greatest->narrower, without / with) < 1e-13);
-    CHECK_FALSE(detail::greatest_unknown(detail::BandParts<double>{.errors_low = -1, .errors_high = 1}));
     // no unknown leaves the band as it is, to the last bit
     const auto same = detail::widened<double>(k, {k / 2, k, k * 2, 0}, {{k * 0.9}}, {}, 0, false, 1, {});
     detail::SampledBand<double> direct{k / 2, k, k * 2, 0};

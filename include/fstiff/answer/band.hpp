@@ -25,7 +25,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -184,35 +183,6 @@ void widen(SampledBand<T>& band, BandParts<T>& parts, std::span<const UnknownCur
             high = std::hypot(std::hypot(known_high, hard), parts.prior_high, parts.shape_high);
     band.low *= std::exp(known_low - low), band.high *= std::exp(high - known_high);
     band.high = (std::min)(band.high, (std::numeric_limits<T>::max)() / 2);
-}
-
-/// Unknown with the largest part of a band; skewness and kurtosis come from one measurement and count as one.
-template <Real T = double>
-struct GreatestUnknown {
-    Unknown which{};
-    T share{};     ///< of the square of the width
-    T narrower{};  ///< the width of the band without it over that with it, both in ln K
-};
-
-/// Empty where nothing is unknown, or where the width is 0.
-template <Real T>
-[[nodiscard]] std::optional<GreatestUnknown<T>> greatest_unknown(const BandParts<T>& parts) {
-    const auto of_shape = [](std::size_t i) { return i < unknown_count && is_of_shape(static_cast<Unknown>(i)); };
-    const auto width = [&](std::size_t without) {
-        T low = std::hypot(parts.errors_low, parts.scale_low), high = std::hypot(parts.errors_high, parts.scale_high);
-        for (std::size_t i = 0; i < unknown_count; ++i)
-            if (i != without && !(of_shape(i) && of_shape(without)))
-                low = std::hypot(low, parts.of_unknown[i].low), high = std::hypot(high, parts.of_unknown[i].high);
-        return low + high;
-    };
-    const T total = width(unknown_count);
-    std::optional<GreatestUnknown<T>> greatest;
-    for (std::size_t i = 0; i < unknown_count; ++i) {
-        const T narrower = width(i) / total;
-        if (narrower < (greatest ? greatest->narrower : T(1)))
-            greatest = {static_cast<Unknown>(i), 1 - narrower * narrower, narrower};
-    }
-    return greatest;
 }
 
 /// Widens \p band for a profile with a lay.

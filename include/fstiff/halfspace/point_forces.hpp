@@ -89,9 +89,6 @@ public:
             if (near_point_[k] != point) use(near_point_[k], near_value_[k]);
     }
 
-    /// Neighbours within r_c, of all points.
-    [[nodiscard]] std::size_t close_pairs() const { return near_point_.size(); }
-
 private:
     static constexpr int window = Split::window;
     static constexpr int neighbours = 60;  ///< within r_c, of points that are spread evenly

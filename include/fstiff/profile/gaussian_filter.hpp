@@ -27,15 +27,6 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// Transmission of a wave of \p wavelength into the waviness. \throws domain_error unless both lengths are positive.
-template <Real T>
-[[nodiscard]] T gaussian_transmission(T wavelength, T cutoff) {
-    require_positive("wavelength", wavelength);
-    require_positive("cut-off", cutoff);
-    const T ratio = cutoff / wavelength;
-    return std::exp(-std::numbers::ln2_v<T> * ratio * ratio);  // pi a^2 = ln 2
-}
-
 /// Weighted means of the head of this file, for a cut-off of at least \p least spacings.
 template <Real T>
 Profile<T> gaussian_means(const Profile<T>& profile, T cutoff, int least) {
@@ -176,14 +167,6 @@ template <Real T>
     for (std::size_t i = 0; i < size; ++i)
         if (exists(i)) result.waviness.heights[i] = static_cast<T>(means.waviness[i]) * scale + mean;
     return result;
-}
-
-/// \p profile without its robust waviness. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] Profile<T> robust_roughness(const Profile<T>& profile, T cutoff, int order = 2) {
-    Profile<T> roughness = robust_waviness(profile, cutoff, order).waviness;
-    for (std::size_t i = 0; i < profile.size(); ++i) roughness.heights[i] = profile.heights[i] - roughness.heights[i];
-    return roughness;
 }
 
 }  // namespace fstiff::inline v0_1::detail

@@ -143,14 +143,6 @@ template <Real T>
     return result;
 }
 
-/// \p map without its long waves. \throws domain_error as above.
-template <Real T>
-[[nodiscard]] HeightMap<T> robust_high_pass(const HeightMap<T>& map, T cutoff) {
-    HeightMap<T> high = robust_waviness(map, cutoff).waviness;
-    high.heights = map.heights - high.heights;
-    return high;
-}
-
 }  // namespace fstiff::inline v0_1::detail
 
 // Gaussian map whose heights have the order of those of a map, and the bearing curve that maps it back.
