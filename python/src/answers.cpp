@@ -88,8 +88,8 @@ Solid solid_of(const std::string& name, const Numbers& numbers, const char* whic
         const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
         solid = {.body = body_of(*found),
                  .density = found->density,
-                 .velocity = known(found->longitudinal_velocity),
-                 .shear_velocity = known(found->shear_velocity),
+                 .velocity = known(found->wave_speeds().first),
+                 .shear_velocity = known(found->wave_speeds().second),
                  .thermal = known(found->thermal_conductivity),
                  .electrical = known(found->electrical_conductivity)};
     }

@@ -206,8 +206,7 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
     const auto written = body.optional_positive(velocity, Dimension::velocity);
     const auto speed = written ? written : usual;
     if (!speed) return std::nullopt;
-    const std::string why = "is missing; " + body.key(velocity) + " needs it";
-    if (!density) static_cast<void>(body.at("density", why));
+    if (!density) static_cast<void>(body.at("density", "is missing; " + body.key(velocity) + " needs it"));
     const double product = *density * *speed;
     if (!(product > 0) || !std::isfinite(product))
         source.refuse(written ? *body.find(velocity) : *body.find("density"), body.key(written ? velocity : "density"),
@@ -233,15 +232,17 @@ Body read_body(Source& source, const toml::table* table, const std::string& key,
     auto density = body.optional_positive("density", Dimension::density);
     if (!density && name) density = usual("density", name->density, "kg/m^3");
     const auto velocity = [&](const char* what, const char* other, double value) {
-        return name && !body.find(what) && !body.find(other) ? std::optional(usual(what, value, "m/s")) : std::nullopt;
+        const bool is_usual = value > 0 && !body.find(what) && !body.find(other);
+        return is_usual ? std::optional(usual(what, value, "m/s")) : std::nullopt;
     };
-    const auto impedance = read_impedance(source, body, "impedance", "velocity", density,
-                                          velocity("velocity", "impedance", name ? name->longitudinal_velocity : 0));
+    const auto [fast, slow] = name ? name->wave_speeds() : std::pair(0.0, 0.0);
+    const auto impedance =
+        read_impedance(source, body, "impedance", "velocity", density, velocity("velocity", "impedance", fast));
     if (!impedance)
         throw domain_error((table ? source.at(body.node()) : source.file) + ": " + body.key("impedance") +
                            ": is missing; the scene needs it, or " + body.key("density") + " and " +
                            body.key("velocity"));
-    const auto usual_shear = velocity("shear_velocity", "shear_impedance", name ? name->shear_velocity : 0);
+    const auto usual_shear = velocity("shear_velocity", "shear_impedance", slow);
     const auto shear = read_impedance(source, body, "shear_impedance", "shear_velocity", density, usual_shear);
     if (!taken.empty()) scene.assumptions.push_back(key + " as " + std::string(name->name) + ": " + taken);
     return {*impedance, shear, usual_shear.has_value()};

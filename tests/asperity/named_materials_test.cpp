@@ -27,6 +27,26 @@ TEST_CASE("The modulus of a named material is that of its density and speeds of 
     }
 }
 
+TEST_CASE("Speeds by E, nu and density are those measured, where both are known") {
+    for (auto one : named_materials) {
+        INFO(one.name);
+        const double fast = one.longitudinal_velocity, slow = one.shear_velocity;
+        one.longitudinal_velocity = one.shear_velocity = 0;
+        const auto [longitudinal, shear] = one.wave_speeds();
+        if (one.elastic.youngs_modulus < 15e9) {
+            CHECK(longitudinal == 0);
+            CHECK(shear == 0);
+            continue;
+        }
+        CHECK(longitudinal > 1.4 * shear);
+        CHECK(shear > 2000);
+        if (fast == 0) continue;
+        const double allowed = one.name == "cast_iron" ? 0.08 : 0.06;  // of E 4 %, of nu 0.035
+        CHECK(test::relative_error(longitudinal, fast) < allowed);
+        CHECK(test::relative_error(shear, slow) < allowed);
+    }
+}
+
 TEST_CASE("Every metal conducts heat and current by the law of Wiedemann and Franz and no glass conducts current") {
     for (const auto& one : named_materials) {
         INFO(one.name);

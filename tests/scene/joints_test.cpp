@@ -262,6 +262,23 @@ TEST_CASE(
     CHECK(input_of(mixed, "material.lower.youngs_modulus").written == "3 GPa");
 }
 
+TEST_CASE("Every named material is a body of waves, but polymers whose speeds are not known") {
+    for (const auto& one : fstiff::detail::named_materials) {
+        INFO(one.name);
+        const std::string scene = "material.upper = \"" + std::string(one.name) + "\"\n" + surface +
+                                  "[contact]\npressures = [\"10 MPa\"]\n" + laws +
+                                  "[ultrasound]\nfrequency = \"5 MHz\"\n";
+        if (one.longitudinal_velocity == 0 && one.elastic.youngs_modulus < 15e9) {
+            test::check_sentence(test::refused_scene(scene),
+                                 {"ultrasound.upper.impedance", "missing", "density and", "velocity"});
+            continue;
+        }
+        const auto waves = *test::scene_of(scene).ultrasound;
+        CHECK(waves.longitudinal.incident == one.density * one.wave_speeds().first);
+        CHECK(waves.shear->incident == one.density * one.wave_speeds().second);
+    }
+}
+
 TEST_CASE("The waves of a scene take density and speeds of the named bodies, and record it") {
     const std::string begin = "material = { upper = \"steel\", lower = \"aluminium\" }\n" + surface +
                               "[contact]\npressures = [\"10 MPa\"]\n" + laws + "[ultrasound]\nfrequency = \"5 MHz\"\n";

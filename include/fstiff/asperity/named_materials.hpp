@@ -20,8 +20,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fstiff::inline v0_1::detail {
@@ -51,13 +53,21 @@ struct NamedMaterial {
     double density;                      ///< [kg/m^3]
     PriorRange bulk;                     ///< hardness: mean pressure of a contact, least, typical, greatest, in `unit`
     double unit;                         ///< [Pa]
-    double longitudinal_velocity = 0;    ///< of bulk waves [m/s]; 0: not known
+    double longitudinal_velocity = 0;    ///< of bulk waves, as measured [m/s]; 0: not known
     double shear_velocity = 0;           ///< [m/s]
     double thermal_conductivity = 0;     ///< [W/(m K)]; 0: not known
     double electrical_conductivity = 0;  ///< [S/m]; 0: an insulator, or not known
     std::string_view source;             ///< of E and nu, of the velocities, of the conductivities, of the hardness
     std::string_view other_names = "";   ///< of the same material, each between blanks
 
+    /// Speeds of longitudinal and shear waves [m/s], by E, nu and density where none was measured; 0: not known, of
+    /// polymers, whose E is another for waves.
+    [[nodiscard]] std::pair<double, double> wave_speeds() const {
+        const auto [E, nu] = elastic;
+        if (longitudinal_velocity > 0 || !(E > 15e9)) return {longitudinal_velocity, shear_velocity};
+        const double shear = std::sqrt(E / (2 * (1 + nu) * density));
+        return {shear * std::sqrt((1 - nu) / (0.5 - nu)), shear};
+    }
     /// 5, 50 and 95 % of the hardness of a machined face [Pa].
     [[nodiscard]] constexpr PriorRange hardness() const {
         const bool metal = elastic.youngs_modulus > 15e9 && elastic.poisson_ratio > 0.24 && bulk.middle * unit < 9e9;
