@@ -95,9 +95,9 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
 
 /// What to measure, for people.
 std::string words_of(const detail::NextMeasurement& next, const detail::Problem& problem) {
-    if (!next.which)
-        return measured_faces(problem).front()->measured->is_profile ? "four times the length" : "four times the area";
     const bool lay = detail::prior_of(rough_faces(problem).front()->process).has_lay;
+    if (!next.which && !measured_faces(problem).front()->measured->is_profile) return "four times the area";
+    if (!next.which) return lay || has_lay(problem) ? "a map" : "four times the length";
     const auto what = [&]() -> std::string {
         switch (*next.which) {
             case Unknown::height: return "Rq or Sq";

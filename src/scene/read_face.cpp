@@ -301,36 +301,34 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
     return face;
 }
 
-/// The face of \p measured, the only one of \p scene.
-void take_surface(Source& source, const Measured& measured, Scene& scene) {
-    record_measured(source, *measured, "surface");
-    scene.face = detail::face_of(JointFace{.measured = found_of(measured)});
-    scene.measured = {measured};
-}
-
-}  // namespace
-
-void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress) {
+/// What was measured of \p file.
+Measured measured_of(Source& source, const std::string& file, const ProgressHook& progress) {
     surface::MeasureOptions options;
     options.input.prefix = "fstiff measure --";  // has the options that run has not
     options.input.format_name = "fstiff measure --input-format";
     options.neighbours = source.has_band;
     options.parallel = source.parallel;
     options.neighbour_dimensions = source.needs_dimension_of_maps;
-    Measured measured;
     try {
-        measured = measured_from(options, {file}, true, {.key = "--surface"}, progress);
+        return measured_from(options, {file}, true, {.key = "--surface"}, progress);
     } catch (const domain_error& error) {
         if (error.reason().find(options.input.prefix) == std::string_view::npos) throw;
         throw domain_error(std::string(error.what()) + "; --surface reads the JSON that fstiff measure prints");
     }
-    source.record("surface.from", document::display_name(file) + " (--surface)");
-    take_surface(source, measured, scene);
 }
 
-void take_surface_in_place(Source& source, const surface::MeasuredSurface& measured, Scene& scene) {
-    source.record("surface.from", measured.file + " (measured before)");
-    take_surface(source, std::make_shared<const surface::MeasuredSurface>(measured), scene);
+}  // namespace
+
+void take_surface(Source& source, const SceneSource& from, const toml::node* process, Scene& scene) {
+    const Measured measured = from.measured ? std::make_shared<const surface::MeasuredSurface>(*from.measured)
+                                            : measured_of(source, from.surface, from.progress);
+    source.record("surface.from", from.measured ? measured->file + " (measured before)"
+                                                : document::display_name(from.surface) + " (--surface)");
+    record_measured(source, *measured, "surface");
+    JointFace given{.measured = found_of(measured)};
+    if (process) source.read(*process, "surface.process", given.process);
+    scene.face = detail::face_of(given);
+    scene.measured = {measured};
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {

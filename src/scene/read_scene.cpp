@@ -199,10 +199,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     } else if (!replaced) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
-        if (from.measured)
-            take_surface_in_place(source, *from.measured, scene);
-        else
-            read_file_of_surface(source, surface, scene, from.progress);
+        take_surface(source, from, root["surface"]["process"].node(), scene);
         // no longer what the scene was named for
         const std::string& measured = scene.measured.front()->file;
         scene.name = measured.find(',') == std::string::npos

@@ -31,10 +31,8 @@ struct Source : request::Source {
 /// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.
 [[nodiscard]] Scene read_table(const toml::table& root, const SceneSource& from, bool builtin = false);
 
-/// Measures the file that --surface names, or reads what fstiff measure made of it.
-void read_file_of_surface(Source& source, const std::string& file, Scene& scene, const ProgressHook& progress);
-/// \p measured in place of [surface].
-void take_surface_in_place(Source& source, const surface::MeasuredSurface& measured, Scene& scene);
+/// Takes what was measured, or the file that --surface names, in place of [surface], of which \p process stays.
+void take_surface(Source& source, const SceneSource& from, const toml::node* process, Scene& scene);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
 /// The bodies of \p table, steel where there is none, and the waves that meet the contact.

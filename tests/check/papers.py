@@ -25,11 +25,11 @@ documentation names.
 """
 
 SHARES = {
-    "README.md": ("| a map | {map} % of each class of surface", "{faces_map} % of machined and natural faces, {grains} % of fused grains |",
+    "README.md": ("| a map | {map} % of each class of {kinds} kinds", "{faces_map} % of faces as processes leave them, at least {grains} %, of fused",
                   "{worn} % of worn ones, {plateaus} % of plateaus, {uneven} % of uneven ones |", "| {covered} of {joints} published conductances"),
-    "docs/trust.md": ("on {map} % of the maps of each class", "on {grains} % of\nfused grains", "| kurtotic | {kurtotic} % |", "| skewed | {skewed} % |",
+    "docs/trust.md": ("on {map} % of the maps of each class of the {kinds} kinds", "on {faces_map} % of faces as\nprocesses leave them, least on {grains} % of fused", "| kurtotic | {kurtotic} % |", "| skewed | {skewed} % |",
                       "| plateau with valleys | {plateaus} % |", "| worn | {worn} % |", "some places, smooth in others | {uneven} % |",
-                      "Of {joints} published conductances", "the band contains {covered},"),
+                      "Of {joints} published conductances", "the band contains {covered} (with"),
     "docs/worn-and-lubricated.md": ("contains {worn} % of worn faces and {plateaus} % of plateaus",),
 }
 

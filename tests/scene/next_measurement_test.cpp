@@ -145,4 +145,23 @@ TEST_CASE("Two faces that both lack a number are advised to measure it of both")
     CHECK(std::abs(to / after - 1) < 0.06);
 }
 
+TEST_CASE("A trace across a lay asks for a map, also where --surface takes the place of [surface] but its process") {
+    const test::Folder folder;
+    const std::string trace = folder.write(
+        "trace.csv",
+        test::profile_text(4096, 1e-6,
+                           {.hurst = 0.7, .rms = 0.5e-6, .longest_wavelength = 200e-6, .shortest_wavelength = 2e-6}));
+    const auto text = [](const std::string& surface) {
+        return "[surface]\n" + surface + "process = \"ground\"\n[material]\nupper = \"steel\"\n" +
+               "[contact]\npressures = [\"30 MPa\"]\n";
+    };
+    const auto of_text = test::scene_of(text("from = \"trace.csv\"\n"), folder / "scene.toml"),
+               in_place = scene::read_scene(text("Ra = \"9 um\"\n"), {.name = "scene.toml", .surface = trace});
+    const auto results = actions::compute(of_text);
+    const auto& reason = results.answer->reasons.at(0);
+    CHECK(reason.causes[static_cast<std::size_t>(Cause::lay)].high > 0);
+    CHECK(actions::measure_next(of_text, results).find("measure a map: the band at 30 MPa narrows") == 0);
+    CHECK(test::csv_of(results) == test::csv_of(actions::compute(in_place)));
+}
+
 }  // namespace next_measurement_test

@@ -142,12 +142,18 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
     for (const auto unknown : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
         if (!map && problem.face.is_open(unknown) && !(measured && detail::is_of_shape(unknown)))
             consider(unknown, factor_of_known(problem, request, answer.places[i], unknown));
-    if (problem.hardness_range && feels_hardness(problem, {answer.law})) {
-        Causes<double> others = facts.reasons[i].causes;
-        others[static_cast<std::size_t>(Cause::hardness)] = {};
-        consider(Unknown::hardness, factor_of(others));
-    }
-    if (measured && !facts.of_map_itself) consider(std::nullopt, factor_of_larger(problem, facts.reasons[i]));
+    const Causes<double>& causes = facts.reasons[i].causes;
+    const auto factor_without = [&](Cause cause) {
+        Causes<double> others = causes;
+        others[static_cast<std::size_t>(cause)] = {};
+        return factor_of(others);
+    };
+    if (problem.hardness_range && feels_hardness(problem, {answer.law}))
+        consider(Unknown::hardness, factor_without(Cause::hardness));
+    const bool map_is_better = causes[static_cast<std::size_t>(Cause::lay)].high > 0;
+    if (measured && !facts.of_map_itself)
+        consider(std::nullopt,
+                 map_is_better ? factor_without(Cause::lay) : factor_of_larger(problem, facts.reasons[i]));
     return most;
 }
 
