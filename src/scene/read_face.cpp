@@ -313,7 +313,8 @@ Measured measured_of(Source& source, const std::string& file, const ProgressHook
         return measured_from(options, {file}, true, {.key = "--surface"}, progress);
     } catch (const domain_error& error) {
         if (error.reason().find(options.input.prefix) == std::string_view::npos) throw;
-        throw domain_error(std::string(error.what()) + "; --surface reads the JSON that fstiff measure prints");
+        throw domain_error(std::string(error.what()) +
+                           "; --surface reads the JSON that fstiff measure prints, [surface] takes these keys");
     }
 }
 
