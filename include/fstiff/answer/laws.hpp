@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A law by its name at run time: one table, in answer/laws_inline.hpp. To add a law is one line there.
+/// A law by its name at run time: one table, in answer/laws_inline.hpp. To add a law: docs/extending.md.
 
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
