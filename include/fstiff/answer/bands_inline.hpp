@@ -202,7 +202,7 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
 
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
     const LawOptions& options = problem.law_options;
-    const double modulus = problem.effective_modulus;
+    const double modulus = problem.effective_modulus, hardness = hardness_of(problem);
     const auto asks_for = [&](LawName name) { return std::ranges::count(request.laws, &find_law(name)) > 0; };
     const bool flows = asks_for(LawName::plastic), hands_over = flows || asks_for(LawName::hybrid);
     std::set<const MapOfSurface*> maps;  // neighbours may have that of the surface itself
@@ -213,7 +213,12 @@ FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request)
             const BearingsOfMaps& bearings = *face.map->bearings;
             if (hands_over)
                 pieces.push_back([&, i] { (void)bearings.hand_over(i, options.edges, modulus, options.gamma); });
-            if (flows) pieces.push_back([&, i] { (void)bearings.cut(i, options.edges, modulus); });
+            if (flows)
+                pieces.push_back([&, i] {
+                    const MapCut<double> cut = bearings.cut(i, options.edges, modulus);
+                    for (const double p : request.points)
+                        if (!request.at_separations && p < hardness) (void)cut.stiffness(p / hardness);
+                });
         }
     };
     add(problem.face);

@@ -105,24 +105,10 @@ private:
         state.separation = {elements.mean_gap, solved.gap_error, elements.iterations};
         state.eta = elements.mean_gap / rms_height_;
         state.stiffness = {elements.stiffness, solved.stiffness_error, elements.iterations};
-        state.loading_stiffness = {loading_stiffness_of(elements), solved.stiffness_error, elements.iterations};
+        state.loading_stiffness = {elements.loading_stiffness, solved.stiffness_error, elements.iterations};
         state.real_area_fraction = {elements.contact_fraction, 0, 0};
         state.contact_density = {static_cast<T>(elements.spots) / area_, 0, 0};
         return state;
-    }
-
-    /// -dp/dd: of few points below H, which come and go one by one, over 3 % of the pressure to either side.
-    [[nodiscard]] T loading_stiffness_of(const BoundaryElementState<T>& state) const {
-        const T few = (std::max)(T(200), T(0.03) * state.contact_fraction * T(map_.heights.size()));
-        constexpr T apart = T(1.03);
-        const T above = apart * state.pressure, below = state.pressure / apart;
-        const bool flows = state.loading_stiffness < state.stiffness;
-        if (!flows || T(state.below_hardness) >= few || !(above < options_.hardness)) return state.loading_stiffness;
-        TruthOptions<T> one_grid = options_;
-        one_grid.grid_error = one_grid.stiffness = false, one_grid.progress = {};
-        const auto truths = truth(map_, modulus_, std::array{below, above}, one_grid);
-        const T slope = (above - below) / (truths[0].state.mean_gap - truths[1].state.mean_gap);
-        return std::clamp(slope, T(0), state.stiffness);
     }
 
     T modulus_, rms_height_, area_;

@@ -38,7 +38,6 @@ struct BoundaryElementOptions {
     T hardness{};           ///< H [Pa] at which pressures are cut; 0: elastic
     T tolerance = T(1e-8);  ///< change of the pressures over their sum at which the solution counts as found
     int max_iterations = 2000;
-    bool stiffness = true;    ///< solve for K too, which is 0 otherwise
     bool loading = true;      ///< solve for the loading stiffness too where it is not K; it is K otherwise
     ProgressHook progress{};  ///< called once an iteration, with max_iterations as the end
 };
@@ -48,7 +47,8 @@ template <Real T = double>
 struct BoundaryElementState {
     T pressure{};                   ///< nominal [Pa]
     T stiffness{};                  ///< K of the contact held together [Pa/m]; infinite where all points touch
-    T loading_stiffness{};          ///< -dp/dd [Pa/m]: K of the points below H held together; 0 where there are none
+    T loading_stiffness{};          ///< -dp/dd [Pa/m], at most K: of points below H, held together; where they are few,
+                                    ///< and come and go one by one, over 3 % of the pressure to either side
     T contact_fraction{};           ///< share of the points in contact
     T mean_gap{};                   ///< mean distance of the two faces, the separation of their mean planes [m]
     T max_pressure{};               ///< [Pa]
@@ -99,7 +99,9 @@ private:
     [[nodiscard]] bool bound(T nominal);
     /// The same by projected gradients with the step of Barzilai and Borwein, where sets go round in circles.
     Solution solve_cut(T nominal, T tolerance);
-    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Solution& solution) const;
+    [[nodiscard]] BoundaryElementState<T> state(T pressure, const Solution& solution);
+    /// -dp/dd at \p state, where points have flowed.
+    [[nodiscard]] T loading_stiffness(const BoundaryElementState<T>& state);
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);
     /// Conjugate gradients for t on the points of the contact with p below \p most: value is 1/K.
@@ -108,7 +110,6 @@ private:
     [[nodiscard]] T hard() const {
         return options_.hardness > 0 ? options_.hardness / modulus_ : std::numeric_limits<T>::infinity();
     }
-    [[nodiscard]] Eigen::Index count_spots() const;
     void tell(int iteration) const {
         if (options_.progress)
             options_.progress("boundary elements", static_cast<std::size_t>(iteration),
@@ -202,7 +203,7 @@ typename BoundaryElements<T>::Solution BoundaryElements<T>::solve(T nominal, T t
 }
 
 template <Real T>
-BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Solution& solution) const {
+BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Solution& solution) {
     BoundaryElementState<T> state;
     state.pressure = pressure;
     const auto contact = p_ > T(0);
@@ -214,18 +215,33 @@ BoundaryElementState<T> BoundaryElements<T>::state(T pressure, const Solution& s
     state.residual = solution.residual;
     state.iterations = solution.iterations;
     state.converged = solution.residual <= options_.tolerance;
-    state.spots = count_spots();
+    state.spots = detail::count_spots(p_, options_.edges);
     if (count == p_.size()) {
         state.stiffness = std::numeric_limits<T>::infinity();
-    } else if (options_.stiffness) {
+    } else {
         const Solution unit = held(std::numeric_limits<T>::infinity());
         state.stiffness = state.loading_stiffness = modulus_ / unit.value;
-        if (options_.loading && state.below_hardness < count)
-            state.loading_stiffness = state.below_hardness > 0 ? modulus_ / held(hard()).value : T(0);
         state.iterations += unit.iterations;
         state.converged = state.converged && unit.residual <= held_tolerance;
+        if (options_.loading && state.below_hardness < count) state.loading_stiffness = loading_stiffness(state);
     }
     return state;
+}
+
+template <Real T>
+T BoundaryElements<T>::loading_stiffness(const BoundaryElementState<T>& state) {
+    const T few = (std::max)(T(200), T(0.03) * state.contact_fraction * T(p_.size())), apart = T(1.03);
+    const T above = apart * state.pressure, below = state.pressure / apart;
+    if (T(state.below_hardness) >= few || !(above < options_.hardness))
+        return state.below_hardness > 0 ? modulus_ / held(hard()).value : T(0);
+    const Field solved = p_;
+    const auto gap = [&](T pressure) {
+        p_ = solved;
+        return -solve(pressure / modulus_, options_.tolerance).value;
+    };
+    const T fall = gap(below) - gap(above);
+    p_ = solved;
+    return std::clamp((above - below) / fall, T(0), state.stiffness);
 }
 
 template <Real T>
@@ -364,30 +380,6 @@ typename BoundaryElements<T>::Solution BoundaryElements<T>::held(T most) const {
     const detail::HeldContact<T> contact =
         detail::held_together(compliance_, inverse_, mask, start, held_tolerance, options_.max_iterations);
     return {contact.compliance, contact.residual, contact.iterations};
-}
-
-template <Real T>
-Eigen::Index BoundaryElements<T>::count_spots() const {
-    const Eigen::Index rows = p_.rows(), columns = p_.cols();
-    const bool round = options_.edges == Edges::periodic;
-    Field rest = p_;  // of the spots that were not yet counted
-    std::vector<Eigen::Index> open;
-    Eigen::Index spots = 0;
-    for (Eigen::Index k = 0; k < rest.size(); ++k) {
-        if (!(std::exchange(rest.data()[k], T(0)) > 0)) continue;
-        ++spots;
-        for (open = {k}; !open.empty();) {
-            const Eigen::Index j = open.back() / columns, i = open.back() % columns;
-            open.pop_back();
-            for (Eigen::Index y = j - 1; y <= j + 1; ++y)
-                for (Eigen::Index x = i - 1; x <= i + 1; ++x) {
-                    if (!round && (y < 0 || x < 0 || y >= rows || x >= columns)) continue;
-                    const Eigen::Index next = (y + rows) % rows * columns + (x + columns) % columns;
-                    if (std::exchange(rest.data()[next], T(0)) > 0) open.push_back(next);
-                }
-        }
-    }
-    return spots;
 }
 
 }  // namespace fstiff::inline v0_1

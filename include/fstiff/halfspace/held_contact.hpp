@@ -135,6 +135,30 @@ template <Real T>
     return points;
 }
 
+/// Connected parts of the points where \p rest is above 0, joined through edges and corners.
+template <Real T>
+[[nodiscard]] Eigen::Index count_spots(GridField<T> rest, Edges edges) {
+    const Eigen::Index rows = rest.rows(), columns = rest.cols();
+    std::vector<Eigen::Index> open;
+    Eigen::Index spots = 0;
+    for (Eigen::Index k = 0; k < rest.size(); ++k) {
+        if (!(std::exchange(rest.data()[k], T(0)) > 0)) continue;
+        ++spots;
+        for (open = {k}; !open.empty();) {
+            const Eigen::Index j = open.back() / columns, i = open.back() % columns;
+            open.pop_back();
+            for (Eigen::Index y = j - 1; y <= j + 1; ++y)
+                for (Eigen::Index x = i - 1; x <= i + 1; ++x) {
+                    const bool beyond = y < 0 || x < 0 || y >= rows || x >= columns;
+                    if (beyond && edges != Edges::periodic) continue;
+                    const Eigen::Index next = (y + rows) % rows * columns + (x + columns) % columns;
+                    if (std::exchange(rest.data()[next], T(0)) > 0) open.push_back(next);
+                }
+        }
+    }
+    return spots;
+}
+
 /// held_together, with the inverse of \p compliance.
 template <Real T>
 [[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse,

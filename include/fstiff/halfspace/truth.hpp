@@ -29,10 +29,10 @@ template <Real T = double>
 struct TruthOptions {
     Eigen::Index points = 256;  ///< along the longer side; a map that has no more is taken as it is
     Edges edges = Edges::mirrored;
-    T hardness{};                           ///< [Pa]; 0: elastic
-    bool grid_error = true;                 ///< solve on the coarser grid too
-    bool stiffness = true, loading = true;  ///< as of BoundaryElementOptions
-    ProgressHook progress{};                ///< called once a pressure
+    T hardness{};             ///< [Pa]; 0: elastic
+    bool grid_error = true;   ///< solve on the coarser grid too
+    bool loading = true;      ///< as of BoundaryElementOptions
+    ProgressHook progress{};  ///< called once a pressure
 };
 
 /// Result of boundary elements at one pressure.
@@ -65,7 +65,7 @@ template <Real T, class Pressures>
                                                const Pressures& pressures, const TruthOptions<T>& options = {}) {
     const BoundaryElementOptions<T> settings{.edges = options.edges,
                                              .hardness = options.hardness,
-                                             .stiffness = options.stiffness,
+
                                              .loading = options.loading};
     BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, settings);
     std::vector<TruthPoint<T>> points;
