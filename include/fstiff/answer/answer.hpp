@@ -102,9 +102,8 @@ struct Answer {
     bool doubtful = false;                  ///< `fstiff run` would end with exit code 4
     /// A measurement that narrows the band.
     struct Next {
-        std::optional<Unknown>
-            which{};          ///< none: a map in place of a trace across a lay, else four times the length or area
-        double pressure = 0;  ///< the middle one of the pressures [Pa]
+        std::optional<Unknown> which{};   ///< none: four times the length or the area; of a trace across a lay, a map
+        double pressure = 0;              ///< the middle one of the pressures [Pa]
         double factor = 0, narrowed = 0;  ///< high over low of its band, and once it finds what is assumed
     };
     std::optional<Next> next{};  ///< the measurement that narrows the band most, where AnswerOptions::next asks for it

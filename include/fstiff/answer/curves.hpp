@@ -159,9 +159,8 @@ namespace fstiff::inline v0_1::detail {
 
 /// The measurement that narrows the band most.
 struct NextMeasurement {
-    std::optional<Unknown>
-        which{};        ///< none: a map in place of a trace across a lay, else four times the length or area
-    double factor = 0;  ///< high over low of the band once it finds what is assumed now
+    std::optional<Unknown> which{};  ///< none: four times the length or the area; of a trace across a lay, a map
+    double factor = 0;               ///< high over low of the band once it finds what is assumed now
 };
 /// Of the band of \p answer at its state \p i; none where nothing narrows that factor by a twentieth.
 [[nodiscard]] std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,

@@ -63,10 +63,8 @@ template <Real T>
 template <Real T, class Pressures>
 [[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
                                                const Pressures& pressures, const TruthOptions<T>& options = {}) {
-    const BoundaryElementOptions<T> settings{.edges = options.edges,
-                                             .hardness = options.hardness,
-
-                                             .loading = options.loading};
+    const BoundaryElementOptions<T> settings{
+        .edges = options.edges, .hardness = options.hardness, .loading = options.loading};
     BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, settings);
     std::vector<TruthPoint<T>> points;
     for (const T pressure : pressures) {
