@@ -203,7 +203,9 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
     const LawOptions& options = problem.law_options;
     const double modulus = problem.effective_modulus, hardness = hardness_of(problem);
-    const auto asks_for = [&](LawName name) { return std::ranges::count(request.laws, &find_law(name)) > 0; };
+    const auto asks_for = [&](LawName name) {
+        return std::count(request.laws.begin(), request.laws.end(), &find_law(name)) > 0;
+    };
     const bool flows = asks_for(LawName::plastic), hands_over = flows || asks_for(LawName::hybrid);
     std::set<const MapOfSurface*> maps;  // neighbours may have that of the surface itself
     std::vector<std::function<void()>> pieces;
