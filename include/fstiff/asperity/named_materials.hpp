@@ -63,9 +63,9 @@ struct NamedMaterial {
     /// Speeds of longitudinal and shear waves [m/s], by E, nu and density where none was measured; 0: not known, of
     /// polymers, whose E is another for waves.
     [[nodiscard]] std::pair<double, double> wave_speeds() const {
-        const auto [E, nu] = elastic;
-        if (longitudinal_velocity > 0 || !(E > 15e9)) return {longitudinal_velocity, shear_velocity};
-        const double shear = std::sqrt(E / (2 * (1 + nu) * density));
+        const auto [modulus, nu] = elastic;
+        if (longitudinal_velocity > 0 || !(modulus > 15e9)) return {longitudinal_velocity, shear_velocity};
+        const double shear = std::sqrt(modulus / (2 * (1 + nu) * density));
         return {shear * std::sqrt((1 - nu) / (0.5 - nu)), shear};
     }
     /// 5, 50 and 95 % of the hardness of a machined face [Pa].
