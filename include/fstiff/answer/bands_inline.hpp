@@ -15,7 +15,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <set>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -201,33 +200,36 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
 }
 
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
+    struct Part {
+        const MapOfSurface* map;
+        std::size_t index;
+        bool is_cut;  ///< else the passage from the summits
+    };
     const LawOptions& options = problem.law_options;
     const double modulus = problem.effective_modulus, hardness = hardness_of(problem);
     const auto asks_for = [&](LawName name) {
         return std::count(request.laws.begin(), request.laws.end(), &find_law(name)) > 0;
     };
     const bool flows = asks_for(LawName::plastic), hands_over = flows || asks_for(LawName::hybrid);
-    std::set<const MapOfSurface*> maps;  // neighbours may have that of the surface itself
-    std::vector<std::function<void()>> pieces;
-    const auto add = [&](const Face& face) {
-        if (!face.map || !face.spectrum_of_map || !maps.insert(face.map.get()).second) return;
-        for (std::size_t i = face.map->first_bearing; i < face.map->first_bearing + face.map->summits.size(); ++i) {
-            const BearingsOfMaps& bearings = *face.map->bearings;
-            if (hands_over)
-                pieces.push_back([&, i] { (void)bearings.hand_over(i, options.edges, modulus, options.gamma); });
-            if (flows)
-                pieces.push_back([&, i] {
-                    const MapCut<double> cut = bearings.cut(i, options.edges, modulus);
-                    for (const double p : request.points)
-                        if (!request.at_separations && p < hardness) (void)cut.stiffness(p / hardness);
-                });
+    std::vector<Part> parts;
+    const auto add = [&](const Face& face) {  // neighbours may have the map of the surface itself
+        const MapOfSurface* const map = face.map.get();
+        const auto is_same = [map](const Part& part) { return part.map == map; };
+        if (!map || !face.spectrum_of_map || std::any_of(parts.begin(), parts.end(), is_same)) return;
+        for (std::size_t i = map->first_bearing; i < map->first_bearing + map->summits.size(); ++i) {
+            if (hands_over) parts.push_back({map, i, false});
+            if (flows) parts.push_back({map, i, true});
         }
     };
     add(problem.face);
     for (const Face& neighbour : problem.face.neighbours) add(neighbour);
-    detail::run_pieces(request.parallel, pieces.size(), [&](std::size_t i) {
+    detail::run_pieces(request.parallel, parts.size(), [&](std::size_t i) {
+        const auto& [map, index, is_cut] = parts[i];
         try {
-            pieces[i]();
+            if (!is_cut) return void(map->bearings->hand_over(index, options.edges, modulus, options.gamma));
+            const MapCut<double> cut = map->bearings->cut(index, options.edges, modulus);
+            for (const double p : request.points)
+                if (!request.at_separations && p < hardness) (void)cut.stiffness(p / hardness);
         } catch (const domain_error&) {  // whoever needs it finds it again
         }
     });
