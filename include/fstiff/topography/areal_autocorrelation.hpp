@@ -216,17 +216,16 @@ template <Real T>
     };
     const std::size_t width = padded(columns, result.reach_x), height = padded(rows, result.reach_y);
     const MapHeights<T> heights(map);
-    const auto correlate = [&](const auto& u, typename HeightMap<T>::Array& into) {
+    const auto correlate = [&](bool counts, typename HeightMap<T>::Array& into) {  // one type of u: half the code
+        const auto u = [&](Index j, Index i) {
+            if (std::isnan(map.heights(j, i))) return T(0);
+            return counts ? T(1) : static_cast<T>(heights.in_units(map.heights(j, i)) - heights.mean);
+        };
         correlate_map<T>(u, rows, columns, height, width, result.reach_x, result.reach_y + 1, into);
     };
-    const auto missing = [&](Index j, Index i) { return std::isnan(map.heights(j, i)); };
-    correlate(
-        [&](Index j, Index i) {
-            return missing(j, i) ? T(0) : static_cast<T>(heights.in_units(map.heights(j, i)) - heights.mean);
-        },
-        result.value);
+    correlate(false, result.value);
     typename HeightMap<T>::Array counted;
-    if (!complete) correlate([&](Index j, Index i) { return missing(j, i) ? T(0) : T(1); }, counted);
+    if (!complete) correlate(true, counted);
     const T variance = static_cast<T>(heights.variance);
     for (Index j = 0; j <= result.reach_y; ++j)
         for (Index i = 0; i <= 2 * result.reach_x; ++i) {
