@@ -234,13 +234,11 @@ T BoundaryElements<T>::loading_stiffness(const BoundaryElementState<T>& state) {
     const T above = apart * state.pressure, below = state.pressure / apart;
     if (T(state.below_hardness) >= few || !(above < options_.hardness))
         return state.below_hardness > 0 ? modulus_ / held(hard()).value : T(0);
-    const Field solved = p_;
-    const auto gap = [&](T pressure) {
-        p_ = solved;
-        return -solve(pressure / modulus_, options_.tolerance).value;
-    };
+    const Field solved = p_, below_it = coarser_.empty() ? Field() : coarser_.front().p_;
+    const auto gap = [&](T pressure) { return -approach(pressure / modulus_, options_.tolerance).value; };
     const T fall = gap(below) - gap(above);
     p_ = solved;
+    if (!coarser_.empty()) coarser_.front().p_ = below_it;
     return std::clamp((above - below) / fall, T(0), state.stiffness);
 }
 
