@@ -161,16 +161,16 @@ class Report:
         each, fixed = statistics.linear_regression([float(row["evaluations"]) for row in rows], [row["ns"] for row in rows])
         tuned, fitted, coarse, fine = (self.ns(f"integrals/{name}") for name in (
             "gauss_legendre-tuned/four/plain/1e-12", "gauss_legendre-fitted/four/plain/1e-12", "fstiff/four/plain/1e-03", "fstiff/four/plain/1e-12"))
-        kinks = [self.rows[f"kernel/elastic_plastic/{asked}"] for asked in ("1e-06", "1e-10")]
-        takes, errors, left = (" and ".join(map(show, kinks, (10e3, 25e3))) for show in (
-            lambda row, _: f"{row['evaluations']:.0f} evaluations of {row['ns'] / row['evaluations']:.1f} ns", lambda row, _: show_error(row["rel_err_max"]),
-            lambda row, most: f"{most * row['evaluations'] / row['ns']:.0f}"))
+
+        def kink(asked, wished):
+            count, ns, error = (self.rows[f"kernel/elastic_plastic/{asked}"][key] for key in ("evaluations", "ns", "rel_err_max"))
+            return f"{count:.0f} evaluations of {ns / count:.1f} ns for {asked}, is then right to {show_error(error)}, and {wished} µs would leave {1000 * wished * count / ns:.0f}"
         return (f"The four integrals take {fixed:.0f} ns and {each:.1f} ns for each node, by a line through the rows of 1e-3 to 1e-12. They are {tuned / fine:.1f} "
                 f"times ahead of the tuned rule and {fitted / fine:.1f} times ahead of that fitted to each problem. Ten times ahead of the tuned rule would leave "
                 f"{tuned / 10:.0f} ns, {(tuned / 10 - fixed) / each:.0f} nodes; the best of the maps that tools/search_peak_nodes.py tries needs 32. "
                 f"1e-3 is {fine / coarse:.1f} times cheaper than 1e-12; four times cheaper would leave {fine / 4:.0f} ns, {(fine / 4 - fixed) / each:.1f} nodes, and one block has 8.\n\n"
-                f"The kernel of a law with a kink takes {takes} at 1e-6 and 1e-10, and is then right to {errors}: its error is bounded from sums over fewer "
-                f"nodes, so that the value has more digits than were asked for. 10 and 25 µs would leave {left} evaluations.")
+                f"The kernel of a law with a kink takes {kink('1e-06', 10)}; it takes {kink('1e-10', 25)}. Its error is bounded from sums over fewer nodes, "
+                f"so that the value has more digits than were asked for.")
 
     @staticmethod
     def allocations():
