@@ -74,7 +74,7 @@ def page_of(scene: Scene) -> tuple[str, Curves]:
     page.paragraph(
         f"Effective modulus {with_unit(curves.effective_modulus, 'Pa')} of both bodies. Equation numbers refer to R. Buczkowski, "
         "M. Kleiber, G. Starzyński, Normal contact stiffness of fractal rough surfaces, Arch. Mech. 66 (2014). K/A0 is the stiffness "
-        "per nominal area; 1 GPa/µm is 1e15 Pa/m."
+        "per nominal area; 1 MPa/µm is 1e12 Pa/m."
     )
     page.paragraph(f"Computed by fstiff {_core.version} from {document['scene']['file']}, SHA-256 {document['scene']['sha256']}.")
     return str(page), curves

@@ -18,12 +18,7 @@ namespace {
 /// Appended to the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
 void add_material_ratio(RoughnessTable& table, const std::string& letter, std::span<const double> heights) {
     std::optional<detail::MaterialRatio<double>> ratio;
-    std::string refusal;
-    try {
-        ratio = detail::material_ratio(heights);
-    } catch (const domain_error& error) {
-        refusal = error.what();
-    }
+    const std::string refusal = detail::fit_or_reason(ratio, [&] { return detail::material_ratio(heights); });
     const auto add = [&](const char* symbol, const char* unit, double detail::MaterialRatio<double>::*field,
                          const char* meaning) {
         table.lines.push_back(
@@ -70,10 +65,18 @@ RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const Cu
     return table;
 }
 
-RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
+RoughnessTable roughness_table(const PreparedMap<double>& levelled, const ParallelHook& parallel) {
     const HeightMap<double>& map = levelled.map;
-    const auto parameters = areal_parameters(map, levelled.areal);
+    const bool has_directions = map.rows() >= 4 && map.columns() >= 4;
+    ArealParameters<double> parameters;
+    detail::TextureParameters<double> texture;
     RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
+    RoughnessTable ratio;  // the last lines of the table
+    detail::run_pieces(parallel, 3, [&](std::size_t i) {
+        if (i == 0) parameters = areal_parameters(map, levelled.areal);
+        if (i == 1 && has_directions) texture = detail::texture_parameters(detail::areal_autocorrelation(map));
+        if (i == 2) add_material_ratio(ratio, "S", {map.heights.data(), static_cast<std::size_t>(map.size())});
+    });
     table.lines = {{"Sa", "m", parameters.mean_deviation, "mean of the distances from the mean height"},
                    {"Sq", "m", parameters.rms_height, "root of their mean square"},
                    {"Sp", "m", parameters.max_peak_height, "highest peak"},
@@ -85,22 +88,18 @@ RoughnessTable roughness_table(const PreparedMap<double>& levelled) {
                    {"Sdr", "", parameters.developed_area_ratio,
                     parameters.developed_area_ratio ? "area of the surface over that of its plane, less 1"
                                                     : "no four points of a cell are all there"}};
-    detail::TextureParameters<double> texture;
-    std::string no_length = "the autocorrelation stays above 0.2 to half of each side", no_ratio = no_length;
-    if (map.rows() >= 4 && map.columns() >= 4) {
-        texture = detail::texture_parameters(detail::areal_autocorrelation(map));
-        if (texture.shortest && !texture.aspect_ratio)
-            no_ratio = "below " + document::rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
-                       document::rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) +
-                       " degrees from x";
-    } else {
-        no_length = no_ratio = "the map has fewer than 4 x 4 points";
-    }
+    std::string no_length = has_directions ? "the autocorrelation stays above 0.2 to half of each side"
+                                           : "the map has fewer than 4 x 4 points",
+                no_ratio = no_length;
+    if (texture.shortest && !texture.aspect_ratio)
+        no_ratio = "below " + document::rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
+                   document::rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) +
+                   " degrees from x";
     table.lines.push_back({"Sal", "m", texture.shortest,
                            texture.shortest ? "shortest lag at which the autocorrelation falls to 0.2" : no_length});
     table.lines.push_back({"Str", "", texture.aspect_ratio,
                            texture.aspect_ratio ? "that over the longest such lag; 1: no direction" : no_ratio});
-    add_material_ratio(table, "S", {map.heights.data(), static_cast<std::size_t>(map.size())});
+    table.lines.insert(table.lines.end(), ratio.lines.begin(), ratio.lines.end());
     return table;
 }
 
@@ -204,7 +203,7 @@ Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface&
         document["files"].push_back({{"source", entry["source"]},
                                      {"surface", entry["surface"]},
                                      {"moments", entry["moments"]},
-                                     {"roughness", roughness_json(roughness_of(part))},
+                                     {"roughness", roughness_json(roughness_of(part, {}, options.parallel))},
                                      {"concerns", entry["concerns"]},
                                      {"warnings", entry["warnings"]}});
     }
@@ -214,7 +213,7 @@ Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface&
             (row.echo == surface::Echo::always || !row.has_same(options.input, {})))
             document["inputs"][row.json_name()] = json_of_option(row, options.input);
     document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
-    document["roughness"] = roughness_json(roughness_of(surface));
+    document["roughness"] = roughness_json(roughness_of(surface, {}, options.parallel));
     return document;
 }
 
@@ -268,11 +267,12 @@ std::string text_of(const RoughnessTable& table) {
 using SharedSurface = std::shared_ptr<const MeasuredSurface>;
 
 /// Adds the decisions about \p surface, \p line, and its tables; \p file as above.
-void add_surface(Document& document, const SharedSurface& surface, const std::string& file, const std::string& line) {
+void add_surface(Document& document, const SharedSurface& surface, const std::string& file, const std::string& line,
+                 const ParallelHook& parallel) {
     for (const std::string& decision : surface->decisions) document.line("  " + decision);
     document.text([line] { return line; });
     document.table(parameter_rows(*surface, file));
-    document.text([surface] { return text_of(roughness_of(*surface)); });
+    document.text([surface, parallel] { return text_of(roughness_of(*surface, {}, parallel)); });
 }
 
 }  // namespace
@@ -348,16 +348,17 @@ Json measured_document(const MeasuredSurface& surface) {
     return document;
 }
 
-RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c) {
+RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>& lambda_c,
+                            const ParallelHook& parallel) {
     if (surface.parts.empty())
         return document::about_file(surface.file, [&] {
             const Surface<double>& parameters = surface.found;
             return parameters.profile ? roughness_table(*parameters.profile, lambda_c)
-                                      : roughness_table(*parameters.map);
+                                      : roughness_table(*parameters.map, parallel);
         });
     const auto tables = [&](const CutOff<double>& cut_off) {
         std::vector<RoughnessTable> parts;
-        for (const MeasuredSurface& part : surface.parts) parts.push_back(roughness_of(part, cut_off));
+        for (const MeasuredSurface& part : surface.parts) parts.push_back(roughness_of(part, cut_off, parallel));
         return parts;
     };
     const std::vector<RoughnessTable> by_table = tables(lambda_c);
@@ -370,10 +371,10 @@ Document document_of(const surface::MeasureOptions& options, const std::shared_p
     document.warnings = surface->warnings;
     document.doubtful = is_doubtful(*surface);
     document.title("surface of " + document::printable(surface->file));
-    add_surface(document, surface, surface->parts.empty() ? "" : "pooled", "\n");
+    add_surface(document, surface, surface->parts.empty() ? "" : "pooled", "\n", options.parallel);
     for (const MeasuredSurface& part : surface->parts) {
         document.line("\n" + document::printable(part.file));
-        add_surface(document, SharedSurface(surface, &part), part.file, "");
+        add_surface(document, SharedSurface(surface, &part), part.file, "", options.parallel);
     }
     document.values([=](Json& to) { to = measure_json(options, *surface); });
     return document;

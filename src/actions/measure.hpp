@@ -33,10 +33,10 @@ struct RoughnessTable {
 };
 
 /// Parameters of the existing heights, about their mean. \throws domain_error for a surface out of range.
-/// A profile without lambda_c takes \p lambda_c, by default that of the standard's table.
+/// A profile without lambda_c takes \p lambda_c, by default the table's; parts of a map go to \p parallel.
 [[nodiscard]] RoughnessTable roughness_table(const PreparedProfile<double>& levelled,
                                              const CutOff<double>& lambda_c = {});
-[[nodiscard]] RoughnessTable roughness_table(const PreparedMap<double>& levelled);
+[[nodiscard]] RoughnessTable roughness_table(const PreparedMap<double>& levelled, const ParallelHook& parallel = {});
 
 /// The means of \p tables, of one kind of surface; none where one of them has none.
 [[nodiscard]] RoughnessTable mean_of(const std::vector<RoughnessTable>& tables);
@@ -69,7 +69,8 @@ void add_reading(document::Document& document, const surface::SurfaceInput& inpu
 
 /// The roughness parameters of \p surface; of several files the means of theirs with one lambda_c, the longest that the
 /// table chooses. \throws as roughness_table().
-[[nodiscard]] RoughnessTable roughness_of(const surface::MeasuredSurface& surface, const CutOff<double>& lambda_c = {});
+[[nodiscard]] RoughnessTable roughness_of(const surface::MeasuredSurface& surface, const CutOff<double>& lambda_c = {},
+                                          const ParallelHook& parallel = {});
 /// The document of \p surface, which was measured by \p options. Roughness parameters that refuse it are no part of
 /// the CSV.
 [[nodiscard]] document::Document document_of(const surface::MeasureOptions& options,

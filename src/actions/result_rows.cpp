@@ -17,21 +17,29 @@ using document::Cell, document::Json, scene::CurveQuantity, scene::Scene;
 
 Json scene_json(const Scene& scene) { return {{"name", scene.name}, {"file", scene.file}, {"sha256", scene.sha256}}; }
 
-Units units_of(const detail::Problem& problem, const Results& results) {
+Units units_of(const Scene& scene, const Results& results) {
     double least = 0, most = 0;
-    std::vector<double> joint;
+    std::vector<double> joint, stiffness;
     for (const Curve& curve : results.curves)
         for (const auto& state : curve.states) {
             const double p = state.pressure.value;
             most = std::max(most, p);
             if (p > 0) least = least > 0 ? std::min(least, p) : p;
-            joint.push_back(state.stiffness.value * problem.nominal_area.value_or(0));
+            joint.push_back(state.stiffness.value * scene.nominal_area.value_or(0));
         }
+    const auto add = [&](const Curve& curve) {
+        for (const std::size_t place : points_of_answer(scene))
+            if (const auto state = curve.state_at(place)) stiffness.push_back(curve.states[*state].stiffness.value);
+    };
+    if (results.answer) add(results.answer->curve);
+    for (const Curve& curve : results.curves)
+        if (!results.answer) add(curve);
     const double middle = std::sqrt(least * most);
     return {.pressure = document::unit_of_pressure(middle),
-            .height = document::unit_of_length(problem.face.parameters.rms_height.value),
-            .density = document::unit_of_density(problem.face.parameters.peak_density.value),
-            .force = document::shown_unit(middle * problem.nominal_area.value_or(0), "N"),
+            .height = document::unit_of_length(scene.face.parameters.rms_height.value),
+            .density = document::unit_of_density(scene.face.parameters.peak_density.value),
+            .stiffness = document::shown_unit(stiffness, "Pa/m"),
+            .force = document::shown_unit(middle * scene.nominal_area.value_or(0), "N"),
             .joint_stiffness = document::shown_unit(joint, "N/m")};
 }
 
@@ -176,20 +184,6 @@ Json run_document(const Scene& scene, const Results& results) {
     return document;
 }
 
-Units summary_units(const Scene& scene, const Results& results) {
-    std::vector<double> values;
-    const auto add = [&](const Curve& curve) {
-        for (const std::size_t place : points_of_answer(scene))
-            if (const auto state = curve.state_at(place)) values.push_back(curve.states[*state].stiffness.value);
-    };
-    if (results.answer) add(results.answer->curve);
-    for (const Curve& curve : results.curves)
-        if (!results.answer) add(curve);
-    Units units = units_of(scene, results);
-    units.stiffness = document::shown_unit(values, "Pa/m");
-    return units;
-}
-
 document::Rows ball_rows(const Results& results) {
     const std::vector<BallUnderForce>& balls = results.balls;
     const auto cell = [](const auto& value) {
@@ -238,7 +232,7 @@ document::TextRows answer_table(const Scene& scene, const Results& results, std:
     const double area = scene.nominal_area.value_or(0);
     for (const std::size_t place : places)
         if (const auto state = curve.state_at(place)) joint.push_back(area * curve.states[*state].stiffness.value);
-    const document::ShownUnit unit = summary_units(scene, results).stiffness,
+    const document::ShownUnit unit = units_of(scene, results).stiffness,
                               joint_unit = document::shown_unit(joint, "N/m"),
                               height = document::unit_of_length(scene.face.parameters.rms_height.value);
     const auto at_state = [&](const auto& value) {

@@ -175,7 +175,7 @@ std::string introduction(const Scene& scene, const Results& results) {
 std::string explanations(const Scene& scene, const Results& results) {
     std::string text;
     if (scene.asks(CurveQuantity::stiffness))
-        text += "K/A0 is the normal stiffness per nominal area (1 GPa/µm = 1e15 Pa/m = 1e15 N/m³)\n";
+        text += "K/A0 is the normal stiffness per nominal area (1 MPa/µm = 1e12 Pa/m = 1e12 N/m³)\n";
     if (scene.asks(CurveQuantity::joint_stiffness)) text += "K is that of the nominal area; 1 kN/µm = 1e9 N/m\n";
     if (scene.asks(CurveQuantity::tangential_stiffness) || scene.asks(CurveQuantity::shear_reflection))
         text += "Kt/A0 is the tangential stiffness, " + document::rounded(results.tangential_ratio) +
@@ -262,7 +262,7 @@ std::string quantity_tables(const Scene& scene, const Results& results, const Un
 /// The tables of the summary.
 std::string blocks(const Scene& scene, const Results& results) {
     using enum CurveQuantity;
-    const Units units = summary_units(scene, results);
+    const Units units = units_of(scene, results);
     std::vector<CurveQuantity> shown{stiffness,
                                      joint_stiffness,
                                      approach,

@@ -12,17 +12,15 @@
 
 namespace fstiff::actions {
 
-/// The units of the columns, by the sizes of the scene.
+/// The units of the columns, by the sizes of the scene; that of K fits the answer at points_of_answer().
 struct Units {
-    document::ShownUnit pressure, height, density, stiffness = document::unit_of_stiffness, force{}, joint_stiffness{};
+    document::ShownUnit pressure, height, density, stiffness, force, joint_stiffness;
 };
 
 /// The name, the file and the SHA-256 of \p scene, for a JSON document.
 [[nodiscard]] document::Json scene_json(const scene::Scene& scene);
 
-[[nodiscard]] Units units_of(const detail::Problem& problem, const Results& results);
-/// The same with a unit of K that fits the answer at points_of_answer(): one for all tables of a summary.
-[[nodiscard]] Units summary_units(const scene::Scene& scene, const Results& results);
+[[nodiscard]] Units units_of(const scene::Scene& scene, const Results& results);
 /// How people read \p column; one that is not for them is in CSV and JSON alone.
 [[nodiscard]] document::Heading heading_of(const scene::Column& column, const Units& units);
 /// Every column of \p curve: law, theta, r, and what the scene asks for; the same keys for every curve of \p results.

@@ -233,9 +233,11 @@ document::Document document_of(const ReflectionRequest& request, std::optional<M
     document.doubtful = reflection.doubtful;
     document.json["given"] = reflection.one.from_stiffness ? "stiffness" : "reflection";
     reflection.curve ? add_curve(document, reflection) : add_one(document, reflection);
-    if (const double film = reflection.film_stiffness; film > 0)
-        document.facts("fluid film",
-                       {{"film_stiffness_Pa_per_m", film, "in parallel with K, of ", 1e-15, " GPa/µm", 6}});
+    if (const double film = reflection.film_stiffness; film > 0) {
+        const document::ShownUnit unit = document::shown_unit(film, "Pa/m");
+        document.facts("fluid film", {{"film_stiffness_Pa_per_m", film, "in parallel with K, of ", unit.factor,
+                                       " " + std::string(unit.name), 6}});
+    }
     return document;
 }
 

@@ -22,9 +22,8 @@ struct ShownUnit {
 /// The unit for a value of about \p size in the SI unit \p si; of 0 the usual one. A plain number or any other unit
 /// stays. "m": nm from 0.01 nm, µm from 0.1 µm, mm from 1 mm, m for what is smaller or from 1 m; "m along", of what is
 /// as long as a profile, has mm from 0.1 mm. "/m^2" or "1/m^2": /mm² from 0.01 /mm², /µm² from 0.1 /µm². "m^2". "Pa":
-/// kPa from
-/// 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa. "Pa/m": GPa/µm from 0.01 GPa/µm. "Hz". "N". "N/m": N/µm from
-/// 0.1 N/µm, kN/µm from 1 kN/µm.
+/// kPa from 0.1 kPa, MPa from 0.1 MPa, GPa from 1 GPa. "Pa/m": MPa/µm from 1 MPa/µm, GPa/µm from 1 GPa/µm. "Hz". "N".
+/// "N/m": N/µm from 0.1 N/µm, kN/µm from 1 kN/µm.
 [[nodiscard]] ShownUnit shown_unit(double size, std::string_view si);
 /// The unit of \p si in which most of \p values are between 1 and 1000, for a table that has one unit.
 [[nodiscard]] ShownUnit shown_unit(std::span<const double> values, std::string_view si);
@@ -35,8 +34,6 @@ struct ShownUnit {
 [[nodiscard]] inline ShownUnit unit_of_density(double per_area) { return shown_unit(per_area, "/m^2"); }
 [[nodiscard]] inline ShownUnit unit_of_pressure(double pressure) { return shown_unit(pressure, "Pa"); }
 [[nodiscard]] inline std::string shown_length(double metres, int digits = 5) { return with_unit(metres, "m", digits); }
-/// Unit of K per area in the tables of the command: GPa/µm, which is 1e15 Pa/m.
-inline constexpr ShownUnit unit_of_stiffness{"GPa/µm", 1e15};
 
 /// A factor as a change: "-3 %", "+41 %", or "2.8 times" where that is clearer.
 [[nodiscard]] std::string shown_change(double factor);

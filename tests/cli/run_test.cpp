@@ -25,7 +25,7 @@ TEST_CASE("The full table has units, K in both units, the validity figures and t
     const auto outcome = test::run_fstiff(fine + " --full");
     CHECK(outcome.status == 0);
     CHECK(outcome.err.empty());
-    for (const char* part : {"sand blasted (fine)", "p [MPa]", "p*", "K/A0 [GPa/µm]", "K/A0 [Pa/m]", "separation [µm]",
+    for (const char* part : {"sand blasted (fine)", "p [MPa]", "p*", "K/A0 [MPa/µm]", "K/A0 [Pa/m]", "separation [µm]",
                              "numerical error [Pa/m]", "mean pressure [GPa]", "contacts [1/mm²]",
                              "plasticity index 14.5", "warning: plasticity index", "sigma R D_p = 0.0166"}) {
         INFO(part);

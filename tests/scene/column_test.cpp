@@ -26,11 +26,11 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
         {eta, "eta", "eta_p05", "", "eta"},
         {separation, "separation_m", "separation_p05_m", "m", "separation [µm]"},
         {approach, "approach_m", "approach_p05_m", "m", "approach [µm]"},
-        {stiffness, "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "Pa/m", "K/A0 [GPa/µm]"},
+        {stiffness, "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "Pa/m", "K/A0 [MPa/µm]"},
         {joint_stiffness, "stiffness_N_per_m", "stiffness_p05_N_per_m", "N/m", "K [kN/µm]"},
-        {loading_stiffness, "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m", "-dp/dd [GPa/µm]"},
+        {loading_stiffness, "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m", "-dp/dd [MPa/µm]"},
         {tangential_stiffness, "tangential_stiffness_Pa_per_m", "tangential_stiffness_p05_Pa_per_m", "Pa/m",
-         "Kt/A0 [GPa/µm]"},
+         "Kt/A0 [MPa/µm]"},
         {loss_factor, "loss_factor", "loss_factor_p05", "", "loss factor"},
         {reflection, "reflection", "reflection_p05", "", "|R|"},
         {shear_reflection, "shear_reflection", "shear_reflection_p05", "", "shear |R|"},
@@ -49,6 +49,7 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
     const actions::Units units{.pressure = fstiff::document::unit_of_pressure(3e6),
                                .height = fstiff::document::unit_of_length(1e-6),
                                .density = fstiff::document::unit_of_density(5e8),
+                               .stiffness = fstiff::document::shown_unit(5e14, "Pa/m"),
                                .force = fstiff::document::shown_unit(2e4, "N"),
                                .joint_stiffness = fstiff::document::shown_unit(5e10, "N/m")};
     for (const Expected& one : all) {

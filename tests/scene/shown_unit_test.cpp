@@ -39,7 +39,8 @@ TEST_CASE("A value is shown in the unit of its size") {
     CHECK(pressure(1e5) == "0.1 MPa");
     CHECK(pressure(0.99e9) == "990 MPa");
     CHECK(pressure(205e9) == "205 GPa");
-    CHECK(document::unit_of_stiffness(2.5e15) == "2.5 GPa/µm");
+    CHECK(document::with_unit(2.5e15, "Pa/m") == "2.5 GPa/µm");
+    CHECK(document::with_unit(7.39e13, "Pa/m") == "73.9 MPa/µm");
     CHECK(document::shown_unit(3e-8, "m").name == "nm");
     CHECK(document::shown_unit(3e12, "/m^2").name == "/µm²");
     CHECK(document::shown_unit(0.5, "")(0.5) == "0.5");

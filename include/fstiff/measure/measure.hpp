@@ -235,9 +235,14 @@ template <Real T>
     const auto parameters = [&] {
         auto how = parameter_options(options, *prepared, terms);
         how.sections = sections;
-        auto result = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared), how);
-        if (options.texture && degree > 0) result.plain_form = detail::plain_form(flat, degree);
-        if (options.texture) std::tie(result.offset_lines, result.line_step) = line_offsets(*without_form.unfiltered);
+        SurfaceParameters<T> result, of_map;
+        run_pieces(options.parallel, options.texture ? 2 : 1, [&](std::size_t i) {
+            if (i == 0) return void(result = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared), how));
+            if (degree > 0) of_map.plain_form = detail::plain_form(flat, degree);
+            std::tie(of_map.offset_lines, of_map.line_step) = line_offsets(*without_form.unfiltered);
+        });
+        result.plain_form = of_map.plain_form, result.offset_lines = of_map.offset_lines;
+        result.line_step = of_map.line_step;
         return result;
     };
     Surface<T> surface = surface_of(prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient), options.parallel,
@@ -266,27 +271,12 @@ template <Real T>
     });
 }
 
-template <Real T>
-void require_options_of_map(const HeightMap<T>& map, const MeasureOptions<T>& options) {
-    if (options.tip_radius > T(0))
-        refuse("tip_radius", options.tip_radius, "left out for a map, whose lags cannot be freed of the tip");
-    (void)choose_cut_offs(map, options);  // throws for wrong ones before any computation
-}
-
-/// Whether \p cleaning leaves a surface unchanged.
-template <Real T>
-[[nodiscard]] bool is_empty(const Cleaning<T>& cleaning) {
-    return !cleaning.crop && cleaning.mask.size() == 0 && cleaning.align == LineAlignment::none &&
-           cleaning.spikes == T(0) && !cleaning.fill;
-}
-
 }  // namespace detail
 
 template <Real T>
 Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options) {
     if (options.peaks == PeakSource::summits)
         throw domain_error("peaks = summits: must be islands for a profile, whose R and D_p come from its curvature");
-    if (detail::is_empty(options.cleaning)) return detail::measure_profile(profile, options);
     Profile<T> cleaned = profile;
     const CleaningReport report = detail::clean(cleaned, options.cleaning);
     Surface<T> surface = detail::measure_profile(cleaned, options);
@@ -297,7 +287,9 @@ Surface<T> measure(const Profile<T>& profile, const MeasureOptions<T>& options) 
 template <Real T>
 Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options) {
     const CleaningReport report = detail::clean(map, options.cleaning);
-    detail::require_options_of_map(map, options);
+    if (options.tip_radius > T(0))
+        detail::refuse("tip_radius", options.tip_radius, "left out for a map, whose lags cannot be freed of the tip");
+    (void)detail::choose_cut_offs(map, options);  // throws for wrong ones before any computation
     const PreparedMap<T> flat = detail::without_form(std::move(map), options);
     Surface<T> surface = detail::measure_map(flat, options);
     surface.cleaning = report;
@@ -306,9 +298,7 @@ Surface<T> measure(HeightMap<T>&& map, const MeasureOptions<T>& options) {
 
 template <Real T>
 Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
-    if (!detail::is_empty(options.cleaning)) return measure(HeightMap<T>(map), options);
-    detail::require_options_of_map(map, options);
-    return detail::measure_map(detail::without_form(map, options), options);
+    return measure(HeightMap<T>(map), options);
 }
 
 }  // namespace fstiff::inline v0_1

@@ -44,9 +44,9 @@ Report execute(const Options& options) {
     const ProgressHook progress = progress_bar();
     measure.keep_maps = false;
     measure.parallel = all_cores(progress);
-    return report(actions::document_of(options.measure, std::make_shared<const surface::MeasuredSurface>(
-                                                            measure_files(measure, options.files, progress))),
-                  options.output.chosen());
+    const auto surface =
+        std::make_shared<const surface::MeasuredSurface>(measure_files(measure, options.files, progress));
+    return report(actions::document_of(measure, surface), options.output.chosen());
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ Figure results_figure(const scene::Scene& scene, const actions::Results& results
     const std::size_t count = curves.size();  // of many curves the first ones are drawn, and the truth of a map
     for (std::size_t k = most_curves; k < count; ++k)
         if (is_truth(*curves[k].own)) std::swap(curves[k], curves[most_curves - 1]);
-    const actions::Units units = summary_units(scene, results);
+    const actions::Units units = units_of(scene, results);
     Figure figure{.title = "Contact stiffness: " + scene.name,
                   .explanation = results.short_explanation,
                   .panels = {stiffness_panel(scene, curves, units)},
