@@ -14,7 +14,7 @@
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
 /// Accuracy    of the equations on the grid: tolerance, 1e-8 by default; of the surface: halfspace/truth.hpp. Against
-///             another code, and of the loading stiffness, 8 % at few points: tests/halfspace/boundary_elements_test.cpp
+///             another code; loading stiffness of few points, 8 %: tests/halfspace/boundary_elements_test.cpp
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
