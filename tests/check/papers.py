@@ -25,7 +25,7 @@ documentation names.
 """
 
 SHARES = {
-    "README.md": ("| a map | {map} % of each class of {kinds} kinds", "{faces_map} % of faces as processes leave them, at least {grains} %, of fused",
+    "README.md": ("| a map | {map} % of each class of {kinds} kinds", "{faces_map} % of faces as processes leave them, {grains} % of the worst of them, fused",
                   "{worn} % of worn ones, {plateaus} % of plateaus, {uneven} % of uneven ones |", "| {covered} of {joints} published conductances"),
     "docs/trust.md": ("on {map} % of the maps of each class of the {kinds} kinds", "on {faces_map} % of faces as\nprocesses leave them, least on {grains} % of fused", "| kurtotic | {kurtotic} % |", "| skewed | {skewed} % |",
                       "| plateau with valleys | {plateaus} % |", "| worn | {worn} % |", "some places, smooth in others | {uneven} % |",
