@@ -170,8 +170,7 @@ constexpr std::array<std::uint32_t, 64> round_constants{
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-/// One round: \p d and \p h change, and are called e and a in the next. \p added is its constant and its word. A call
-/// of each would double the time, and what reads is compiled for size.
+/// One round: \p d and \p h change, and are called e and a in the next. \p added is its constant and its word.
 [[gnu::always_inline]] inline void one_round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d,
                                              std::uint32_t e, std::uint32_t f, std::uint32_t g, std::uint32_t& h,
                                              std::uint32_t added) {
@@ -186,7 +185,6 @@ constexpr std::array<std::uint32_t, 64> round_constants{
 
 std::string sha256(std::string_view text) {
     auto state = first_state;
-
     const std::size_t in_blocks =
         text.size() - text.size() % 64;  // without a copy: the text may be as long as memory allows
     std::string padded(text.substr(in_blocks));
