@@ -170,17 +170,6 @@ constexpr std::array<std::uint32_t, 64> round_constants{
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-/// One round: \p d and \p h change, and are called e and a in the next. \p added is its constant and its word.
-[[gnu::always_inline]] inline void one_round(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d,
-                                             std::uint32_t e, std::uint32_t f, std::uint32_t g, std::uint32_t& h,
-                                             std::uint32_t added) {
-    const auto s1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
-    const auto t1 = h + s1 + ((e & f) ^ (~e & g)) + added;
-    const auto s0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
-    d += t1;
-    h = t1 + s0 + ((a & b) ^ (a & c) ^ (b & c));
-}
-
 }  // namespace
 
 std::string sha256(std::string_view text) {
@@ -205,16 +194,13 @@ std::string sha256(std::string_view text) {
             w[i] = w[i - 16] + s0 + w[i - 7] + s1;
         }
         auto [a, b, c, d, e, f, g, h] = state;
-        // the letters move on by one a round, so that after eight rounds each is where it was
-        for (std::size_t i = 0; i < 64; i += 8) {
-            one_round(a, b, c, d, e, f, g, h, round_constants[i] + w[i]);
-            one_round(h, a, b, c, d, e, f, g, round_constants[i + 1] + w[i + 1]);
-            one_round(g, h, a, b, c, d, e, f, round_constants[i + 2] + w[i + 2]);
-            one_round(f, g, h, a, b, c, d, e, round_constants[i + 3] + w[i + 3]);
-            one_round(e, f, g, h, a, b, c, d, round_constants[i + 4] + w[i + 4]);
-            one_round(d, e, f, g, h, a, b, c, round_constants[i + 5] + w[i + 5]);
-            one_round(c, d, e, f, g, h, a, b, round_constants[i + 6] + w[i + 6]);
-            one_round(b, c, d, e, f, g, h, a, round_constants[i + 7] + w[i + 7]);
+        for (std::size_t i = 0; i < 64; ++i) {
+            const auto s1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
+            const auto s0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
+            const auto t1 = h + s1 + ((e & f) ^ (~e & g)) + round_constants[i] + w[i];
+            h = g, g = f, f = e, e = d + t1;
+            const auto t2 = s0 + ((a & b) ^ (a & c) ^ (b & c));
+            d = c, c = b, b = a, a = t1 + t2;
         }
         const std::array<std::uint32_t, 8> add{a, b, c, d, e, f, g, h};
         for (std::size_t i = 0; i < 8; ++i) state[i] += add[i];
