@@ -180,16 +180,17 @@ private:
     }
 
     void set_steps(RawMap& map) {
-        if (header_.rows == 1) {
-            if (options_.dx || options_.dy || options_.width || options_.height)
-                refuse_file(name_, {"holds a profile; must be given spacing, and not dx, dy, width or height"});
+        const bool of_sides = options_.dx || options_.dy || options_.width || options_.height;
+        if (of_sides && (options_.spacing || header_.rows == 1))
+            refuse_file(name_, {header_.rows == 1 ? "holds a profile; must be given spacing, and not"
+                                                  : "is given spacing; must not be given with",
+                                " dx, dy, width or height"});
+        if (options_.spacing || header_.rows == 1) {
             if (!options_.spacing)
                 refuse_file(name_, {"states no steps and none are given; must be ",
                                     given_as(options_.names, "spacing", "\"0.5 um\"")});
             map.dx = map.dy = step("spacing", options_.spacing, "", std::nullopt, 1);
         } else {
-            if (options_.spacing)
-                refuse_file(name_, {"holds a map; must be given dx and dy, or width and height, and not spacing"});
             map.dx = step("dx", options_.dx, "width", options_.width, header_.columns);
             map.dy = step("dy", options_.dy, "height", options_.height, header_.rows);
         }
@@ -259,7 +260,7 @@ extern constexpr Reader npy_reader{
     .endings = ".npy",
     .holds = "NumPy array of integers or floating point: one dimension is a profile, two are a map",
     .recognised = "its first bytes, \\x93NUMPY",
-    .asks_for = "--units, and --spacing of a profile, --dx or --width of a map",
+    .asks_for = "--units, and --spacing, of a map also --dx and --dy or --width and --height",
     .options = "units spacing dx dy width height missing",
     .begins = is_npy,
     .read = read_by<NpyReader>};

@@ -47,9 +47,9 @@ ProfileColumns profile_columns(const NumberTable& table, const std::string& name
     const std::size_t most = choice.x_column != 0 ? 1 : 2;
     if (choice.column == 0 && (rest.empty() || rest.size() > most))
         refuse_file(
-            name,
-            {"has ", columns,
-             " columns; must be one (heights) or two (positions and heights), or give the column of the heights"});
+            name, {"has ", columns,
+                   " columns; must be one (heights) or two (positions and heights), or give the column of the heights",
+                   choice.spacing ? ", or of a map dx and dy in place of spacing" : ""});
     found.heights = choice.column != 0 ? choice.column : rest.back();
     if (choice.x_column != 0)
         found.positions = choice.x_column;

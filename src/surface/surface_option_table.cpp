@@ -43,8 +43,8 @@ constexpr SurfaceOptionRow rows[] = {
     {"units", file, &Of::units, always,
      "units of lengths and heights in a text, .npy or .stl file, such as um,nm, or one for both; they replace "
      "those of the file"},
-    {"spacing", step_of_profile, &Of::spacing, always,
-     "distance between neighbouring points of a profile, such as \"0.5 um\"; replaces that of the file"},
+    {"spacing", step, &Of::spacing, always,
+     "distance between neighbouring points of a profile or of a .npy map, such as \"0.5 um\"; replaces that of the file"},
     {"column", file_of_profile, &Of::column, always,
      "column of the heights of a profile, counted from 1; default the last of one or two",
      {.low = 1, .high = most_columns}},
@@ -135,7 +135,7 @@ std::string SurfaceOptionRow::flag_name() const {
 
 bool SurfaceOptionRow::is_for(SurfaceKind kind) const {
     using enum OptionGroup;
-    const bool profile = group == step_of_profile || group == file_of_profile || group == form_of_profile;
+    const bool profile = group == file_of_profile || group == form_of_profile;
     const bool map = group == step_of_map || group == file_of_map || group == cleaning_of_map;
     return !(profile && kind == SurfaceKind::map) && !(map && kind == SurfaceKind::profile);
 }

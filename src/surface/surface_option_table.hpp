@@ -20,8 +20,8 @@ enum class SurfaceKind { profile, map, any };
 
 /// Purpose of an option; the command line lists them in this order.
 enum class OptionGroup {
-    file,             ///< any file
-    step_of_profile,  ///< of a file or of an array
+    file,  ///< any file
+    step,  ///< of a file or of an array
     file_of_profile,
     form_of_profile,
     step_of_map,  ///< of a file or of an array

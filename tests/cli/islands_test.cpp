@@ -25,7 +25,8 @@ TEST_CASE("The readable islands print the decisions, and warn of a pair that mea
 TEST_CASE("Wrong files and options of islands end with exit codes 3 and 2") {
     const std::string text = map_text();
     test::check_refused("measure --show islands -", 3, {"standard input", "empty"});
-    test::check_refused("measure --show islands - --spacing '1 um'", 2, {"--spacing"}, text);
+    test::check_refused("measure --show islands - --spacing '1 um'", 3,
+                        {"has 96 columns", "dx and dy in place of spacing"}, text);
     test::check_refused("measure --show islands - --neighbours 6", 2, {"--neighbours"}, text);
     for (const char* beyond : {"--levels 2000000000", "--least-points 0", "--tiles 0", "--resamples 1"})
         test::check_refused(

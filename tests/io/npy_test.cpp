@@ -88,7 +88,10 @@ TEST_CASE("Units and steps are asked for, and taken in one way only") {
     CHECK(contains(refusal(bytes, {.units = "nm"}), "states no steps; must be given as dx and dy"));
     CHECK(contains(refusal(bytes, {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}),
                    "dx and width are both given"));
-    CHECK(contains(refusal(bytes, {.units = "nm", .spacing = 1e-6}), "holds a map"));
+    CHECK(contains(refusal(bytes, {.units = "nm", .spacing = 1e-6, .dy = 1e-6}), "must not be given with dx"));
+    const auto square = read(bytes, {.units = "nm", .spacing = 1e-6});
+    CHECK(square.map.dx == 1e-6);
+    CHECK(square.map.dy == 1e-6);
     CHECK(contains(refusal(bytes, {.units = "V", .dx = 1e-6, .dy = 1e-6}), "is not a unit of length"));
     const auto sized = read(bytes, {.units = "um,nm", .width = 3e-6, .height = 8e-6});
     CHECK(sized.map.dx == 3e-6 / 3);

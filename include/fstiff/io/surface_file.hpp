@@ -109,7 +109,7 @@ struct X3pLimits {
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
     std::string units{};  ///< of text, npy, stl: "um,nm" (lengths, heights), "um" (both); replaces the header's
-    std::optional<double> spacing{};   ///< of a profile and npy [m]; replaces the positions of the file
+    std::optional<double> spacing{};   ///< of a profile, of npy of a map too [m]; replaces the positions of the file
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
     std::size_t x_column = 0;          ///< of a profile, with the positions, counted from 1; 0: the first that may be
     std::optional<double> dx{}, dy{};  ///< of a matrix and npy, between points [m]
