@@ -47,7 +47,8 @@ function(fstiff_compile_alone target headers)
     add_library(${target} OBJECT ${sources})
     target_link_libraries(${target} PRIVATE fstiff::fstiff)
     target_precompile_headers(${target} PRIVATE ${ARGN})
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0>)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0>
+                                             $<$<CXX_COMPILER_ID:GNU>:-fno-implicit-templates>)  # nothing links them
 endfunction()
 
 fstiff_reaching(with_eigen "Eigen/|unsupported/Eigen/")

@@ -25,7 +25,7 @@ def unknown(root):
     targets = set(re.findall(r"add_custom_target\(\s*(\w+)", "".join(text(file) for pattern in ("cmake/*.cmake", "src/*/CMakeLists.txt")
                                                                  for file in root.glob(pattern))))
     for what, pattern, known in (("preset", r"--preset (\w+)", presets), ("target", r"--target (\w+)", targets),
-                                 ("script", r"python3 (\S+\.py)", {file.relative_to(root).as_posix() for file in root.glob("tools/*.py")})):
+                                 ("script", r"python3 (\S+\.py)", {file.relative_to(root).as_posix() for place in ("tools", "tests/*") for file in root.glob(place + "/*.py")})):
         named = set(re.findall(pattern, script))
         if not named or named - known:
             yield f"tools/release: {what} {sorted(named - known) or 'is not named'}"
