@@ -18,14 +18,17 @@ using namespace bench;
 constexpr fstiff::Fractal<double> fractal{1.5, 1e-9};
 constexpr double longest = 1e-3, shortest = 1e-7, ratio = 1.5;
 
-fstiff::WeierstrassMandelbrot<double> waves(fstiff::Phases phases) {
+fstiff::WeierstrassMandelbrot<double> waves(bool random_phases) {
     return {fractal,
-            {.longest_wavelength = longest, .shortest_wavelength = shortest, .gamma = ratio, .phases = phases}};
+            {.longest_wavelength = longest,
+             .shortest_wavelength = shortest,
+             .gamma = ratio,
+             .random_phases = random_phases}};
 }
 
 /// z(x) by (2.1) with zero phases, in long double, over the root of the variance.
 Accuracy generation_accuracy(std::size_t points, double spacing) {
-    const auto profile = waves(fstiff::Phases::zero);
+    const auto profile = waves(false);
     const std::vector<double> heights = profile.sample(points, spacing).heights;
     const double rms = std::sqrt(profile.variance());
     AccuracyCollector collector;
@@ -47,7 +50,7 @@ Accuracy generation_accuracy(std::size_t points, double spacing) {
 }
 
 const fstiff::Profile<double>& long_profile() {
-    static const fstiff::Profile<double> profile = waves(fstiff::Phases::random).sample(100000, shortest / 2);
+    static const fstiff::Profile<double> profile = waves(true).sample(100000, shortest / 2);
     return profile;
 }
 
@@ -71,7 +74,7 @@ Accuracy structure_accuracy() {
 }
 
 const fstiff::Profile<double>& million() {
-    static const fstiff::Profile<double> profile = waves(fstiff::Phases::random).sample(1000000, shortest / 2);
+    static const fstiff::Profile<double> profile = waves(true).sample(1000000, shortest / 2);
     return profile;
 }
 
@@ -121,7 +124,7 @@ const Rows rows_of_profile([] {
     verified_row(
         "profile/weierstrass_mandelbrot/65536", 1e-12, [=] { return generation_accuracy(points, spacing); },
         [=](benchmark::State& state) {
-            const auto profile = waves(fstiff::Phases::random);
+            const auto profile = waves(true);
             for (auto _ : state) {
                 const auto heights = profile.sample(points, spacing);
                 benchmark::DoNotOptimize(heights.heights.data());

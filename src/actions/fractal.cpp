@@ -354,7 +354,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
     result.fit = document::about_file(options.surface.file, [&] { return fit_fractal(result.levelled, fitting); });
     result.no_spectrum = detail::fit_or_reason(result.spectrum, [&] {
         const PowerSpectrum<double> spectrum = power_spectrum(result.levelled.of_structure());
-        std::optional<WavelengthWindow<double>> window;  // without the waves below lambda_s
+        std::optional<LengthRange<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
             window = {*shortest, 2 * std::numbers::pi_v<double> / spectrum.step / 8};
         const SpectralFit<double> fit = detail::fit_spectrum(spectrum, window);

@@ -160,7 +160,7 @@ void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) tr
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.parameters);
     const std::optional<double> g = gradient(fitted);
-    const auto shifted = [&](double LawError<double>::*end) {
+    const auto shifted = [&](double CauseSpread<double>::*end) {
         std::vector<Observation<double>> data = inputs.data;
         for (Observation<double>& observation : data) {
             detail::AnswerReason reason;
@@ -170,7 +170,7 @@ void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) tr
         }
         return found_by(problem, fit, {data, inputs.parameters, inputs.start, inputs.options});
     };
-    const auto low = shifted(&LawError<double>::low), high = shifted(&LawError<double>::high);
+    const auto low = shifted(&CauseSpread<double>::low), high = shifted(&CauseSpread<double>::high);
     if (low.status != math::FitStatus::converged || high.status != math::FitStatus::converged) return;
     for (std::size_t i = 0; i < inputs.parameters.size(); ++i) {
         auto& own = fit.found.parameters[i];

@@ -211,7 +211,7 @@ fstiff::MeasureOptions<double> library_options(const MeasureOptions& options, co
                                                const ProgressHook& progress) {
     const bool profile = input.surface.is_profile();
     const Instrument instrument = instrument_of(options.input);
-    std::optional<LagWindow<double>> window;
+    std::optional<LengthRange<double>> window;
     if (!options.input.window.empty()) window = parse_window(options.input.window, options.input.name("window"));
     refuse_options(options, instrument, profile);
     fstiff::MeasureOptions<double> measuring =

@@ -35,14 +35,14 @@ double parse_length(const Amount& given, std::string_view name) {
     return document::parse_positive(given.text("m"), io::Dimension::length, name);
 }
 
-LagWindow<double> parse_window(const Amount& given, std::string_view name) {
+LengthRange<double> parse_window(const Amount& given, std::string_view name) {
     const std::vector<std::string> ends = split_at_commas(given.text("m"));
     const std::string quoted = std::string(name) + " = \"" + given.text("m") + "\": ";
     if (ends.size() < 2) throw document::option_error(quoted + "must be two lengths, such as \"1 um,100 um\"");
     if (ends.size() > 2)
         throw document::option_error(quoted +
                                      "must be two lengths with one comma between them; the decimal mark is the point");
-    const LagWindow<double> window{parse_length(ends[0], name), parse_length(ends[1], name)};
+    const LengthRange<double> window{parse_length(ends[0], name), parse_length(ends[1], name)};
     if (!(window.from < window.to))
         throw document::option_error(quoted + "the first length must be less than the second");
     return window;

@@ -68,7 +68,7 @@ inline constexpr std::string_view gaussian_form = "gaussian";
 [[nodiscard]] double parse_length(const Amount& given, std::string_view name);
 /// Two lengths greater than 0, the first the shorter.
 /// \throws option_error unless they are two and rise, domain_error as above.
-[[nodiscard]] LagWindow<double> parse_window(const Amount& given, std::string_view name);
+[[nodiscard]] LengthRange<double> parse_window(const Amount& given, std::string_view name);
 /// Any number of lengths, which may be 0. \throws domain_error for a text that is none.
 [[nodiscard]] std::vector<double> parse_lengths(const Amount& given, std::string_view name);
 /// A cut-off: a length greater than 0, "none", or "auto" (or empty). \throws domain_error as above.

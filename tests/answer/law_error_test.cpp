@@ -16,7 +16,7 @@ using detail::law_error;
 using Question = detail::LawErrorQuestion<double>;
 
 /// The error of the law of \p question for heights of this skewness and kurtosis.
-LawError<double> of_shape(Question question, Measurement<double> skewness, Measurement<double> kurtosis) {
+CauseSpread<double> of_shape(Question question, Measurement<double> skewness, Measurement<double> kurtosis) {
     question.skewness = skewness, question.kurtosis = kurtosis;
     return law_error(question);
 }

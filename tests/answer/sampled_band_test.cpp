@@ -71,7 +71,7 @@ TEST_CASE("Surfaces in pieces, whichever comes first, give the same band without
         order.push_back(i);
         return std::vector<double>{x[0], x[3] * static_cast<double>(i)};
     };
-    const auto backwards = [](std::size_t count, const Piece& run) {
+    const auto backwards = [](std::size_t count, const auto& run) {
         for (std::size_t i = count; i-- > 0;) run(i);
     };
     const auto never = [](std::string_view, std::size_t, std::size_t) { FAIL(); };

@@ -152,7 +152,7 @@ TEST_CASE("Omitted parts leave all others unchanged") {
 
 TEST_CASE("A surface measured on two threads has the digits of one thread, and reports to none") {
     std::atomic<int> pieces = 0;
-    const ParallelHook on_two_threads = [&](std::size_t count, const Piece& run) {
+    const ParallelHook on_two_threads = [&](std::size_t count, const auto& run) {
         std::atomic<std::size_t> next = 0;
         const auto work = [&] {
             for (std::size_t i = next++; i < count; i = next++) ++pieces, run(i);
@@ -217,7 +217,7 @@ TEST_CASE("A surface is cleaned before it is measured, and options reach their s
     CHECK(few.rms_height.value == many.rms_height.value);
     CHECK(few.rms_height.error != many.rms_height.error);
     CHECK(few.seed == 7);
-    const auto windowed = measure(trace(), {.window = LagWindow<double>{3e-6, 30e-6}, .neighbours = false});
+    const auto windowed = measure(trace(), {.window = LengthRange<double>{3e-6, 30e-6}, .neighbours = false});
     CHECK(windowed.window.to <= 30e-6);
     CHECK(measure(trace(), {.tip_radius = 5e-6, .neighbours = false}).cut_offs.lambda_s == 8e-6);
     auto map = some_map();

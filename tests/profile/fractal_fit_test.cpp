@@ -110,7 +110,7 @@ TEST_CASE("The error of D is the scatter of D over random walks, and the regress
 TEST_CASE("A straight line is not a fractal, in any window") {
     Profile<double> line{std::vector<double>(1000), 1e-6};
     for (std::size_t i = 0; i < 1000; ++i) line.heights[i] = 1e-3 * 1e-6 * static_cast<double>(i);
-    CHECK_FALSE(test::refusal([&] { (void)fit_fractal(line, {.window = LagWindow<double>{4e-6, 100e-6}}); }).empty());
+    CHECK_FALSE(test::refusal([&] { (void)fit_fractal(line, {.window = LengthRange<double>{4e-6, 100e-6}}); }).empty());
     CHECK(test::refusal([&] { (void)fit_fractal(line); }).find("no half decade") != std::string::npos);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("Short lags that are smooth are left out of the window") {
     CHECK(std::abs(fit.fractal.dimension - 1.5) < 3 * fit.dimension_error);
     // forced into the smooth end, the same profile is none: its second differences grow as the fourth power
     CHECK(test::refusal([&] {
-              (void)fit_fractal(profile, {.window = LagWindow<double>{1e-7, 8e-7}});
+              (void)fit_fractal(profile, {.window = LengthRange<double>{1e-7, 8e-7}});
           }).find("fractal dimension of the window = 0") == 0);
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("A bend in the structure function is flagged, a power law is not") {
     Profile<double> bent{std::vector<double>(50000), 1e-6};
     double height = 0;
     for (double& z : bent.heights) z = height = 0.97 * height + (static_cast<double>(random() % 2001) - 1000) * 1e-12;
-    const auto fit = fit_fractal(bent, {.window = LagWindow<double>{4e-6, 400e-6}});
+    const auto fit = fit_fractal(bent, {.window = LengthRange<double>{4e-6, 400e-6}});
     CHECK(fit.curved);
     CHECK(fit.slope_shortest > fit.slope_longest + 0.5);
     CHECK(fit.max_slope == fit.slope_shortest);
@@ -162,10 +162,10 @@ TEST_CASE("The waves of a part do not reach the fit, and a window over a plateau
         profile.heights[i] = height + wave;
         wavy.heights[i] += 50 * wave;
     }
-    const LagWindow<double> short_lags{4e-6, 100e-6};
+    const LengthRange<double> short_lags{4e-6, 100e-6};
     const auto flat = fit_fractal(walk, {.window = short_lags}), over_waves = fit_fractal(wavy, {.window = short_lags});
     CHECK(std::abs(flat.fractal.dimension - over_waves.fractal.dimension) < flat.dimension_error / 10);
-    const auto plateau = fit_fractal(profile, {.window = LagWindow<double>{5e-6, 150e-6}});
+    const auto plateau = fit_fractal(profile, {.window = LengthRange<double>{5e-6, 150e-6}});
     CHECK(plateau.curved);
     CHECK(plateau.min_slope < 0.2);
     CHECK(test::refusal([&] { (void)fit_fractal(profile, {.resolution = 20e-6}); }).size() > 20);  // white there
@@ -245,14 +245,14 @@ TEST_CASE("A window or an option out of range is refused with its valid range") 
     const auto refusal = [&](FractalFitOptions<double> options) {
         return test::refusal([&] { (void)fit_fractal(profile, options); });
     };
-    CHECK(refusal({.window = LagWindow<double>{0.0, 1e-5}}).find("window from = 0") != std::string::npos);
-    CHECK(refusal({.window = LagWindow<double>{1e-5, 1e-6}}).find("window to = ") != std::string::npos);
-    CHECK(refusal({.window = LagWindow<double>{1e-5, 1.0}}).find("window to = 1") != std::string::npos);
-    CHECK(refusal({.window = LagWindow<double>{1e-5, 1.1e-5}}).find("half a decade") != std::string::npos);
-    CHECK(refusal({.window = LagWindow<double>{1e-9, 1e-8}}).find("holds 0 lags") != std::string::npos);
+    CHECK(refusal({.window = LengthRange<double>{0.0, 1e-5}}).find("window from = 0") != std::string::npos);
+    CHECK(refusal({.window = LengthRange<double>{1e-5, 1e-6}}).find("window to = ") != std::string::npos);
+    CHECK(refusal({.window = LengthRange<double>{1e-5, 1.0}}).find("window to = 1") != std::string::npos);
+    CHECK(refusal({.window = LengthRange<double>{1e-5, 1.1e-5}}).find("half a decade") != std::string::npos);
+    CHECK(refusal({.window = LengthRange<double>{1e-9, 1e-8}}).find("holds 0 lags") != std::string::npos);
     CHECK(refusal({.gamma = 1.0}).find("gamma = 1") != std::string::npos);
     CHECK(refusal({.resamples = -1}).find("resamples = -1") != std::string::npos);
-    CHECK(refusal({.window = LagWindow<double>{1e-6, 900e-6}}).empty());  // beyond a quarter, when asked for
+    CHECK(refusal({.window = LengthRange<double>{1e-6, 900e-6}}).empty());  // beyond a quarter, when asked for
     Profile<double> flat{std::vector<double>(100, 1.0), 1e-6};
     CHECK(test::refusal([&] { (void)fit_fractal(flat); }).find("constant height") != std::string::npos);
     Profile<double> periodic{std::vector<double>(400), 1e-6};
@@ -339,11 +339,11 @@ TEST_CASE("Resolution and tip exclude the lags below them and the window reports
     CHECK(touched.reliable_from < 80e-6);
     CHECK(touched.window.from >= touched.reliable_from * (1 - 1e-3));
     // a window by hand is cut too
-    const auto cut = fit_fractal(profile, {.window = LagWindow<double>{5e-6, 500e-6}, .resolution = 20e-6});
+    const auto cut = fit_fractal(profile, {.window = LengthRange<double>{5e-6, 500e-6}, .resolution = 20e-6});
     CHECK(cut.begins == WindowEnd::resolution);
     CHECK(cut.ends == WindowEnd::given);
     CHECK(cut.window.from >= 20e-6 * (1 - 1e-12));
-    CHECK(fit_fractal(profile, {.window = LagWindow<double>{50e-6, 500e-6}, .resolution = 20e-6}).begins ==
+    CHECK(fit_fractal(profile, {.window = LengthRange<double>{50e-6, 500e-6}, .resolution = 20e-6}).begins ==
           WindowEnd::given);
     for (const WindowEnd end : {WindowEnd::given, WindowEnd::sampling, WindowEnd::resolution, WindowEnd::tip,
                                 WindowEnd::smooth, WindowEnd::saturated, WindowEnd::bend, WindowEnd::length})
@@ -359,7 +359,7 @@ TEST_CASE("A message names tip or resolution when it leaves no half decade") {
     CHECK(refusal({.resolution = 200e-6}).find("no half decade") != std::string::npos);
     CHECK(refusal({.resolution = 1.0}).find("no half decade of lags is left") != std::string::npos);
     CHECK(refusal({.tip_radius = 1.0}).find("tip radius") != std::string::npos);
-    CHECK(refusal({.window = LagWindow<double>{5e-6, 50e-6}, .resolution = 40e-6}).find("resolution") !=
+    CHECK(refusal({.window = LengthRange<double>{5e-6, 50e-6}, .resolution = 40e-6}).find("resolution") !=
           std::string::npos);
     CHECK(refusal({.tip_radius = -1.0}).find("tip radius = -1") == 0);
     CHECK(refusal({.resolution = std::numeric_limits<double>::quiet_NaN()}).find("resolution") == 0);
@@ -408,7 +408,7 @@ TEST_CASE("A structure function fits as the profile it came from, and the mean o
         }
         return resampled;
     };
-    const auto given = fit_fractal(measured, {.window = LagWindow<double>{4e-6, 40e-6}});
+    const auto given = fit_fractal(measured, {.window = LengthRange<double>{4e-6, 40e-6}});
     CHECK(test::relative_error(given.bootstrap_dimension_error, 0.1 / std::sqrt(2.0)) < 1e-6);
     CHECK(given.dimension_error >= given.bootstrap_dimension_error);
     const auto refusal = [&] { return test::refusal([&] { (void)fit_fractal(measured); }); };

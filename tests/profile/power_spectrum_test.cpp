@@ -85,7 +85,7 @@ TEST_CASE("A spectrum that is a power law gives its D to the rounding, in any un
             spectrum.value.push_back(k == 0 ? 0 : std::pow(static_cast<double>(k), -2.2) * unit * unit * unit);
         }
         const double longest = 2 * pi / spectrum.step;
-        const auto fit = detail::fit_spectrum(spectrum, WavelengthWindow<double>{longest / 4000, longest / 100});
+        const auto fit = detail::fit_spectrum(spectrum, LengthRange<double>{longest / 4000, longest / 100});
         // -2.2 = -(5-2D). The logarithm of a mean over an eighth of an octave is a curve of 2e-3 above the mean
         // logarithm, the same in every bin, but that bins hold whole numbers of values; the correction for their
         // number is what is left, 1/(2 v) with v from 6 to 230
@@ -118,7 +118,7 @@ TEST_CASE("The spectrum scales with the unit of length, and gaps are bridged") {
 TEST_CASE("Windows that hold too little are refused") {
     const auto spectrum = power_spectrum(Profile<double>{test::fractional_brownian(1024, 0.5, 4), 1.0});
     const auto refusal = [&](double from, double to) {
-        return test::refusal([&] { (void)detail::fit_spectrum(spectrum, WavelengthWindow<double>{from, to}); });
+        return test::refusal([&] { (void)detail::fit_spectrum(spectrum, LengthRange<double>{from, to}); });
     };
     CHECK(refusal(16, 128).empty());
     CHECK(refusal(16, 32).find("half a decade") != std::string::npos);

@@ -375,7 +375,7 @@ TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on
     const std::vector<double> many{1e7, 3e7, 1e8, 3e8, 1e9};
     const Answer alone = answer(joint, many);
     std::atomic<int> pieces = 0;
-    const auto on_two_threads = [&](std::size_t count, const Piece& run) {
+    const auto on_two_threads = [&](std::size_t count, const auto& run) {
         std::atomic<std::size_t> next = 0;
         const auto work = [&] {
             for (std::size_t i = next++; i < count; i = next++) ++pieces, run(i);

@@ -31,7 +31,7 @@ TEMPLATE_TEST_CASE("A profile of zero phases is the sum (2.1)", "", float, doubl
     using T = TestType;
     const T longest = T(1e-3), shortest = longest * std::pow(T(1.5), T(-20));
     const WeierstrassMandelbrot<T> wm(
-        {T(1.62), T(1.2e-8)}, {.longest_wavelength = longest, .shortest_wavelength = shortest, .phases = Phases::zero});
+        {T(1.62), T(1.2e-8)}, {.longest_wavelength = longest, .shortest_wavelength = shortest, .random_phases = false});
     REQUIRE(wm.terms() == 21);
     const T spacing = T(1.7e-7);
     const auto heights = wm.sample(5000, spacing).heights;
@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE("A profile of zero phases is the sum (2.1)", "", float, doubl
 
 TEST_CASE("Phases do not drift over 2^16 points") {
     const WeierstrassMandelbrot<double> wm(
-        {1.5, 1e-9}, {.longest_wavelength = 1e-2, .shortest_wavelength = 2e-7, .phases = Phases::zero});
+        {1.5, 1e-9}, {.longest_wavelength = 1e-2, .shortest_wavelength = 2e-7, .random_phases = false});
     const auto heights = wm.sample(65536, 1e-7).heights;
     const int terms = static_cast<int>(wm.terms());
     double worst = 0;

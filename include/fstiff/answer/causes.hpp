@@ -109,9 +109,10 @@ struct LawErrorQuestion {
 
 namespace fstiff::inline v0_1 {
 
-/// ln of K of the contact over K of the law: 5 and 95 %, low at most 0, high at least 0.
+/// Ends of a band, the part of one cause or the error of a law, as ln of K over the value: 5 and 95 %, low at most 0,
+/// high at least 0.
 template <Real T = double>
-struct LawError {
+struct CauseSpread {
     T low{}, high{};
 };
 
@@ -171,7 +172,7 @@ template <Real T>
 
 /// The error of the law of \p question.
 template <Real T>
-[[nodiscard]] LawError<T> law_error(const LawErrorQuestion<T>& question) {
+[[nodiscard]] CauseSpread<T> law_error(const LawErrorQuestion<T>& question) {
     const T H = question.hardness;
     const bool yields = question.law == LawName::plastic && H > T(0);
     const LawErrorRow flowed = law_error_row(question.law, question.known),
@@ -259,10 +260,6 @@ inline constexpr std::size_t cause_count = 10;
 }  // namespace fstiff::inline v0_1::detail
 
 namespace fstiff::inline v0_1 {
-
-/// Ends of a band, or the part of one cause, as ln of K over the value: low at most 0, high at least 0.
-template <Real T = double>
-using CauseSpread = LawError<T>;
 
 /// One spread for each Cause.
 template <Real T = double>

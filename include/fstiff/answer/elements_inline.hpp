@@ -94,7 +94,7 @@ FSTIFF_INLINE CauseSpread<double> law_error(const Problem& problem, LawName law,
         question.skewness = {shape.skewness, 0}, question.kurtosis = {shape.kurtosis, 0};
     if (const Measurement<double>& height = problem.face.parameters.rms_height; height.value > 0)
         question.long_waves = height.error / height.value;
-    const LawError<double> error = detail::law_error(question);
+    const CauseSpread<double> error = detail::law_error(question);
     return {-std::hypot(error.low, grid), std::hypot(error.high, grid)};
 }
 

@@ -3,7 +3,7 @@
 /// \file
 /// Independent pieces of work, for a host that brings its own threads; the library starts none.
 ///
-///     options.parallel = [&](std::size_t count, const fstiff::Piece& run) { pool.for_each(count, run); };
+///     options.parallel = [&](std::size_t count, const auto& run) { pool.for_each(count, run); };
 
 #include <fstiff/core/config.hpp>
 
@@ -22,11 +22,9 @@ namespace fstiff::inline v0_1 {
 /// Empty: not called. Where one part ends and the next begins, \p part changes or \p done falls.
 using ProgressHook = std::function<void(std::string_view part, std::size_t done, std::size_t total)>;
 
-/// One piece of work by its index. It does not throw.
-using Piece = std::function<void(std::size_t index)>;
-/// Calls the piece once with every index below \p count, in any order and from any threads, and returns when all have
-/// returned; a piece may call it with pieces of its own. Empty: one after the other.
-using ParallelHook = std::function<void(std::size_t count, const Piece& run)>;
+/// Calls \p run once with every index below \p count, in any order and from any threads, and returns when all calls
+/// have. A call does not throw, and may have pieces of its own. Empty: one after the other.
+using ParallelHook = std::function<void(std::size_t count, const std::function<void(std::size_t index)>& run)>;
 
 namespace detail {
 

@@ -86,7 +86,7 @@ struct MeasureOptions {
     T height_step{};                               ///< in which heights were printed or counted [m]; 0: not known
     Cleaning<T> cleaning{};
     PeakSource peaks = PeakSource::islands;  ///< of a map
-    std::optional<LagWindow<T>> window{};    ///< of the lags that give D; empty: automatic
+    std::optional<LengthRange<T>> window{};  ///< of the lags that give D; empty: automatic
     std::size_t resamples = 400;             ///< for the standard errors
     std::uint64_t seed = 2014;               ///< of the resamples
     bool texture = true;                     ///< whether Str of a map is computed, which detects a lay

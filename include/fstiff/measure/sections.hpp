@@ -62,7 +62,7 @@ struct DirectionalFit {
     std::string why_no_fit_x, why_no_fit_y;  ///< empty when there is one
     T dimension_difference{};        ///< D along x less D along y, over the lags of both windows; 0 unless both exist
     T dimension_difference_error{};  ///< its standard deviation
-    LagWindow<T> common;             ///< lags at which S is compared [m]; 0 to 0: both directions share too few
+    LengthRange<T> common;           ///< lags at which S is compared [m]; 0 to 0: both directions share too few
     T log_level_difference{};        ///< mean of ln S_x - ln S_y over them
     T log_level_difference_error{};  ///< its standard deviation
     bool dimension_differs{};
@@ -205,7 +205,7 @@ struct LogLevel {
 };
 
 template <Real T>
-LogLevel<double> log_level(const MeasuredStructureFunction<T>& measured, const LagWindow<T>& window) {
+LogLevel<double> log_level(const MeasuredStructureFunction<T>& measured, const LengthRange<T>& window) {
     const StructureFunction<T>& s = measured.second_differences;
     // trapezoids over ln(lag), at 24 points of the window that both directions share
     constexpr int points = 24;
@@ -331,7 +331,7 @@ DirectionalFit<T> fit_directions(const SectionStructures<T>& sections, const Fra
         // over the lags of both windows: a curved S has another slope in another window
         FractalFitOptions<T> common = options;
         const std::vector<T>&lags_x = along_x.second_differences.lag, &lags_y = along_y.second_differences.lag;
-        common.window = LagWindow<T>{
+        common.window = LengthRange<T>{
             (std::max)({(std::min)(result.x->window.from, result.y->window.from), lags_x.front(), lags_y.front()}),
             (std::min)({(std::max)(result.x->window.to, result.y->window.to), lags_x.back(), lags_y.back()})};
         std::optional<FractalFit<T>> x, y;
@@ -343,7 +343,7 @@ DirectionalFit<T> fit_directions(const SectionStructures<T>& sections, const Fra
         const T difference = std::abs(result.dimension_difference);
         result.dimension_differs = difference > 3 * result.dimension_difference_error && difference > T(0.05);
     }
-    const LagWindow<T> common{4 * (std::max)(along_x.spacing, along_y.spacing), sections.side / 10};
+    const LengthRange<T> common{4 * (std::max)(along_x.spacing, along_y.spacing), sections.side / 10};
     const auto varies = [](const MeasuredStructureFunction<T>& m) {
         const std::vector<T>& s = m.second_differences.value;
         return s.size() >= 4 && std::all_of(s.begin(), s.end(), [](T value) { return value > T(0); });

@@ -76,7 +76,7 @@ struct SurfaceParameters {
     std::string why_no_density;                       ///< why there is no D_p, of a map no R either
     /// Correlation of the errors; those of different origin (D; the islands of a map) are assumed independent.
     ParameterCorrelation<T> correlation = detail::uncorrelated<T>();
-    LagWindow<T> window;          ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
+    LengthRange<T> window;        ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
     T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
     LongEnd<T> long_end{};        ///< waves of a larger contact beyond these
     bool anisotropic{};           ///< of a map

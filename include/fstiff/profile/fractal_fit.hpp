@@ -40,7 +40,7 @@ void check_options(const FractalFitOptions<T>& options) {
 }
 
 template <Real T>
-void check_window(const LagWindow<T>& window, T length) {
+void check_window(const LengthRange<T>& window, T length) {
     require_positive("window from", window.from);
     require(window.to > window.from && window.to <= length, "window to", window.to,
             "greater than the beginning of the window and at most the length of the profile");

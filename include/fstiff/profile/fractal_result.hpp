@@ -21,7 +21,7 @@ namespace fstiff::inline v0_1 {
 /// Options of the fit of D and G.
 template <Real T = double>
 struct FractalFitOptions {
-    std::optional<LagWindow<T>> window{};  ///< automatic when not given
+    std::optional<LengthRange<T>> window{};  ///< automatic when not given
     StructureConvention convention = StructureConvention::exact;
     T gamma = T(1.5);  ///< of the log-periodic terms and of the constant C
     Divisor divisor = Divisor::pairs;
@@ -53,12 +53,12 @@ struct MeasuredStructureFunction {
 /// D of a half of the window, or of a straight window next to it.
 template <Real T = double>
 struct NeighbourWindow {
-    LagWindow<T> window;   ///< [m]
-    T dimension{};         ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
-    T difference{};        ///< from D of the fit
-    T difference_error{};  ///< its standard deviation by sampling
-    bool half{};           ///< of the window itself
-    bool disagrees{};      ///< by more than 2.5 standard deviations and by 0.05
+    LengthRange<T> window;  ///< [m]
+    T dimension{};          ///< D; of a half that is no self-affine profile it may lie outside (1, 2)
+    T difference{};         ///< from D of the fit
+    T difference_error{};   ///< its standard deviation by sampling
+    bool half{};            ///< of the window itself
+    bool disagrees{};       ///< by more than 2.5 standard deviations and by 0.05
 };
 
 /// D and G of a structure function, with their errors and the data of the fit.
@@ -78,7 +78,7 @@ struct FractalFit {
     T model_dimension_error{};       ///< from the covariance of a Gaussian self-affine profile
     T bootstrap_dimension_error{};   ///< from the moving-block bootstrap; 0 when left out
     T line_dimension{};              ///< D of the ordinary straight line over the same window
-    LagWindow<T> window;             ///< shortest and longest lag used [m]
+    LengthRange<T> window;           ///< shortest and longest lag used [m]
     bool automatic_window{};
     WindowEnd begins{};     ///< why the window begins there
     WindowEnd ends{};       ///< and ends there

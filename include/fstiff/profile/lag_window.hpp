@@ -21,12 +21,6 @@
 
 namespace fstiff::inline v0_1 {
 
-/// A range of lags [m], both ends included.
-template <Real T = double>
-struct LagWindow {
-    T from{}, to{};
-};
-
 /// Reason for the beginning or the end of a window.
 enum class WindowEnd {
     given,       ///< by hand
@@ -221,7 +215,7 @@ struct ChosenRange {
 
 /// Given window. \throws domain_error when it holds too few lags.
 template <Real T>
-ChosenRange<double> given_range(const LogStructure<double>& log, const LagWindow<T>& window, T spacing,
+ChosenRange<double> given_range(const LogStructure<double>& log, const LengthRange<T>& window, T spacing,
                                 const ReliableLags<T>& reliable) {
     const double slack = 1e-4;
     const double from = std::log(static_cast<double>(window.from / spacing)) - slack;

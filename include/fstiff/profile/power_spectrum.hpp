@@ -45,19 +45,13 @@ struct PowerSpectrum {
     }
 };
 
-/// A range of wavelengths [m], both ends included.
-template <Real T = double>
-struct WavelengthWindow {
-    T from{}, to{};
-};
-
 /// D of a power spectrum.
 template <Real T = double>
 struct SpectralFit {
-    T dimension{};               ///< D; outside (1, 2) the window holds no self-affine profile
-    T dimension_error{};         ///< standard deviation of D for a Gaussian profile
-    WavelengthWindow<T> window;  ///< used [m]
-    std::size_t bins{};          ///< means of C that the line goes through
+    T dimension{};          ///< D; outside (1, 2) the window holds no self-affine profile
+    T dimension_error{};    ///< standard deviation of D for a Gaussian profile
+    LengthRange<T> window;  ///< used [m]
+    std::size_t bins{};     ///< means of C that the line goes through
 };
 
 namespace detail {
@@ -160,13 +154,13 @@ namespace detail {
 /// \throws domain_error for a window that holds fewer than four bins or less than half a decade.
 template <Real T>
 [[nodiscard]] SpectralFit<T> fit_spectrum(const PowerSpectrum<T>& spectrum,
-                                          const std::optional<WavelengthWindow<std::type_identity_t<T>>>& window = {}) {
+                                          const std::optional<LengthRange<std::type_identity_t<T>>>& window = {}) {
     if (spectrum.size() < 2) throw domain_error("power spectrum has fewer than 2 values: must have at least 2");
     require_positive("step of the wavenumber", spectrum.step);
     const double turn = 2 * std::numbers::pi, last = static_cast<double>(spectrum.size() - 1);
     const double longest = turn / static_cast<double>(spectrum.step), shortest = longest / last;  // two spacings
     SpectralFit<T> fit;
-    fit.window = window ? *window : WavelengthWindow<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
+    fit.window = window ? *window : LengthRange<T>{static_cast<T>(8 * shortest), static_cast<T>(longest / 8)};
     require_positive("window from", fit.window.from);
     require(fit.window.to > fit.window.from && fit.window.to <= (std::numeric_limits<T>::max)(), "window to",
             fit.window.to, "finite and greater than the beginning of the window");

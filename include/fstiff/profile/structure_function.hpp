@@ -23,6 +23,12 @@
 
 namespace fstiff::inline v0_1 {
 
+/// A range of lags or wavelengths [m], both ends included.
+template <Real T = double>
+struct LengthRange {
+    T from{}, to{};
+};
+
 /// S at some lags; all vectors have one length. A lag without a pair is left out.
 template <Real T = double>
 struct StructureFunction {

@@ -8,7 +8,7 @@
 ///     S(tau) = sum_j 2 a_j^2 sin^2(pi tau/lambda_j)                                 mean over random phases
 ///
 /// The longest wavelength lambda_0 is given, so that the profile does not depend on the unit of length. The paper's
-/// profile is {.longest_wavelength = 1, .shortest_wavelength = gamma^-n_max, .phases = Phases::zero}.
+/// profile is {.longest_wavelength = 1, .shortest_wavelength = gamma^-n_max, .random_phases = false}.
 ///
 /// Reference   Buczkowski et al., Arch. Mech. 66 (2014), eq. (2.1); Berry, Lewis, Proc. R. Soc. A 370 (1980)
 /// Units       lengths [m]; phases in turns
@@ -25,17 +25,14 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Phases of the waves.
-enum class Phases { random, zero };
-
 /// Waves of the profile of Weierstrass and Mandelbrot.
 template <Real T = double>
 struct WeierstrassMandelbrotOptions {
-    T longest_wavelength{};   ///< lambda_0 [m]
-    T shortest_wavelength{};  ///< terms with lambda_j below this are left out [m]
-    T gamma = T(1.5);         ///< ratio of successive wavelengths
-    Phases phases = Phases::random;
-    std::uint64_t seed = 1;  ///< of the random phases
+    T longest_wavelength{};     ///< lambda_0 [m]
+    T shortest_wavelength{};    ///< terms with lambda_j below this are left out [m]
+    T gamma = T(1.5);           ///< ratio of successive wavelengths
+    bool random_phases = true;  ///< else all are zero
+    std::uint64_t seed = 1;     ///< of the random phases
 };
 
 namespace detail {
@@ -77,7 +74,7 @@ public:
             const long double wavelength = options.longest_wavelength * share;
             const T ratio = static_cast<T>(fractal.roughness / wavelength);
             const T amplitude = static_cast<T>(wavelength) * std::pow(ratio, fractal.dimension - 1);
-            terms_.push_back({amplitude, wavelength, options.phases == Phases::zero ? 0 : math::splitmix64(state)});
+            terms_.push_back({amplitude, wavelength, options.random_phases ? math::splitmix64(state) : 0});
         }
     }
 

@@ -76,7 +76,7 @@ ProgressHook progress_bar(bool with_rate) {
 }
 
 ParallelHook all_cores(const ProgressHook& progress) {
-    return [progress, caller = std::this_thread::get_id()](std::size_t count, const Piece& run) {
+    return [progress, caller = std::this_thread::get_id()](std::size_t count, const auto& run) {
         std::atomic<std::size_t> next = 0;
         const auto work = [&] {
             for (std::size_t i; (i = next++) < count;) run(i);
