@@ -37,9 +37,6 @@ CASES = {  # what changes for n scenes
     "four integrals, moduli at one separation of one surface": lambda n: {
         "modulus": RANGE.format("100 GPa", "300 GPa", n), "points": 'separations = ["1 um"]'},
     "inversions, pressures on one surface": lambda n: {"points": f"pressures = [ {RANGE.format('0.1 MPa', '100 MPa', n)} ]"},
-    "the same, K alone and by tables": lambda n: {
-        "points": f"pressures = [ {RANGE.format('0.1 MPa', '100 MPa', n)} ]",
-        "more": '[output]\nquantities = ["stiffness", "separation"]\n[sweep]\ntabulate = true'},
     "cold inversions, a surface of its own for each": lambda n: {"rms": RANGE.format("0.5 um", "2 um", n)},
     "cold inversions of the law fractal": lambda n: {"rms": RANGE.format("0.5 um", "2 um", n), "law": "fractal"},
     "cold inversions, a Poisson ratio for each (read anew)": lambda n: {"poisson": f"{{ from = 0.2, to = 0.4, count = {n} }}"},

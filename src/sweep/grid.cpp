@@ -241,7 +241,6 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
         take("mode", grid.mode, Field{});
         take("samples", grid.samples, Field{.low = 1, .high = most_scenes});
         take("seed", grid.seed, Field{});
-        take("tabulate", grid.tabulate, Field{});
     };
     const Section section(source, table ? *table : none, "sweep", request::keys_of(fields));
     section.read(fields);

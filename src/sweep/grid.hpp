@@ -62,7 +62,6 @@ struct Grid {
     Mode mode = Mode::product;
     std::uint64_t samples = 1;  ///< draws at each point of the grid
     std::uint64_t seed = 2014;
-    bool tabulate = false;        ///< K of many points on one surface by a table
     std::vector<Axis> axes;       ///< in the order of the file
     std::uint64_t size = 0;       ///< scenes
     std::set<std::string> in_si;  ///< keys of axes that a program has given, whose numbers are in SI

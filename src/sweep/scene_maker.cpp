@@ -4,8 +4,6 @@
 #include "scene/readers.hpp"
 #include "sweep/template.hpp"
 
-#include <fstiff/tabulated/contact_law.hpp>
-
 #include <algorithm>
 #include <exception>
 #include <limits>
@@ -52,64 +50,6 @@ bool has(const toml::table& root, const char* key) { return static_cast<bool>(ro
 
 bool is_measured(const toml::table& root) {
     return has(root, "surface.from") || has(root, "surface.upper") || has(root, "surface.lower");
-}
-
-/// A contact by its table, for very many points on one surface: [sweep] tabulate = true.
-class Tabulated final : public AnyContact {
-public:
-    Tabulated(ContactLaw<double> law, double rms_height) : law_(std::move(law)), rms_height_(rms_height) {}
-    [[nodiscard]] std::vector<ContactPoint<double>> at_pressures(std::span<const double> pressures,
-                                                                 Quantity) const override {
-        std::vector<ContactPoint<double>> points;
-        points.reserve(pressures.size());
-        for (const double p : pressures) points.push_back(point(law_.separation(p), p, law_.stiffness(p)));
-        return points;
-    }
-    [[nodiscard]] std::vector<ContactPoint<double>> at_separations(std::span<const double> separations,
-                                                                   Quantity) const override {
-        std::vector<ContactPoint<double>> points;
-        points.reserve(separations.size());
-        for (const double d : separations) {
-            const auto entry = law_.at_separation(d);
-            points.push_back(point(d, entry.pressure, entry.stiffness));
-        }
-        return points;
-    }
-
-private:
-    [[nodiscard]] ContactPoint<double> point(double separation, double pressure, double stiffness) const {
-        ContactState<double> state;
-        const double error = law_.relative_error();
-        state.eta = separation / rms_height_;
-        state.separation = {separation, error * rms_height_, 0};
-        state.pressure = {pressure, error * pressure, 0};
-        state.stiffness = {stiffness, error * stiffness, 0};
-        return ContactPoint<double>::of(state);
-    }
-
-    ContactLaw<double> law_;
-    double rms_height_;
-};
-
-/// Puts the table of each of \p contacts over \p range of pressures [Pa], or of separations [m] where the scene has
-/// these, in its place; a law that has no table stays. K and the separation of a table are within the error that it
-/// carries, which the results show as that of K.
-void tabulate(std::vector<detail::MadeContact>& contacts, const scene::Scene& scene, std::array<double, 2> range) {
-    for (detail::MadeContact& contact : contacts) {
-        try {
-            std::array<double, 2> pressures = range;
-            if (scene.at_separations) {
-                const auto ends = contact.contact->at_separations(range, Quantity::pressure);
-                if (!ends[0].ok() || !ends[1].ok()) continue;
-                pressures = {ends[1].state.pressure.value, ends[0].state.pressure.value};
-            }
-            constexpr double room = 1e-3;  // so that no end falls out by rounding
-            const LawRange<double> wider{pressures[0] * (1 - room), pressures[1] * (1 + room)};
-            contact.contact = std::make_shared<const Tabulated>(contact.contact->tabulate(wider),
-                                                                scene.face.parameters.rms_height.value);
-        } catch (const domain_error&) {  // no table of this law, or not so far: point by point
-        }
-    }
 }
 
 }  // namespace
@@ -168,24 +108,6 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
              std::all_of(first->laws.begin(), first->laws.end(), [](const detail::Law* law) { return law->varies; }) &&
              std::none_of(grid.axes.begin(), grid.axes.end(),
                           [](const Axis& axis) { return axis.key.starts_with("contact.laws"); });
-    if (grid.tabulate) find_table_range(*first);
-}
-
-void SceneMaker::find_table_range(const Scene& first) {
-    const auto refuse = [&](const char* why) { throw domain_error(grid_.file + ": sweep.tabulate = true: " + why); };
-    if (!folds_ || grid_.axes[point_axis_].drawn || grid_.axes[point_axis_].count() < 2)
-        refuse("needs a grid whose pressure or separation is swept as a range or a list");
-    if (first.best) refuse("needs a grid whose contact.laws names a law: no table has the band of an answer");
-    if (first.asks(scene::CurveQuantity::real_area) || first.asks(scene::CurveQuantity::contacts) ||
-        first.asks(scene::CurveQuantity::loading_stiffness) || first.asks(scene::CurveQuantity::approach))
-        refuse(
-            "needs output.quantities without real_area, contacts, loading_stiffness and approach, which no table has");
-    if (first.reading != InteractionReading::none) refuse("needs a grid without contact.interaction");
-    const Axis& axis = grid_.axes[point_axis_];
-    table_range_ = axis.range ? std::array{axis.range->from, axis.range->to}
-                              : std::array{*std::min_element(axis.numbers.begin(), axis.numbers.end()),
-                                           *std::max_element(axis.numbers.begin(), axis.numbers.end())};
-    if (!(table_range_[0] < table_range_[1])) refuse("needs a grid whose points differ");
 }
 
 bool SceneMaker::alike(const std::vector<Value>& a, const std::vector<Value>& b) const {
@@ -265,7 +187,6 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
         if (work.scene.best)
             work.scene.laws = {&law_of_answer(work.scene, work.scene.at_separations)};  // peaks may flow now
         work.contacts = contacts_of(work.scene, work.scene.laws);
-        if (grid_.tabulate) tabulate(work.contacts, work.scene, table_range_);
     }
     work.made_for = values;
 }

@@ -73,8 +73,6 @@ private:
         const Number* number = nullptr;  ///< null: the table is read anew
         std::size_t place = 0;
     };
-    /// \throws domain_error where the grid asks for tables that the scenes cannot have.
-    void find_table_range(const scene::Scene& first);
     void put(const std::vector<Value>& values, Work& work);
     [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values);
     [[nodiscard]] std::shared_ptr<const scene::Scene> read_with(const std::vector<Value>& values,
@@ -87,7 +85,6 @@ private:
     std::vector<Setter> setters_;
     std::size_t point_axis_ = 0;
     bool folds_ = false;
-    std::array<double, 2> table_range_{};  ///< of the points, where the grid asks for tables
     bool measured_ = false;                ///< the scenes have files of surfaces
     RecentScenes scenes_, surfaces_;
 };

@@ -243,52 +243,6 @@ TEST_CASE("The band of a named law of a measured surface has the digits of fstif
     }
 }
 
-TEST_CASE("K by the table of a law is within its stated error, for any number of shards") {
-    const std::string output = "[output]\nquantities = [\"stiffness\", \"separation\"]\n";
-    for (const bool separations : {false, true}) {
-        std::string text = grid + output;
-        if (separations)
-            text = replaced(text, "pressures = [ { from = \"0.1 MPa\", to = \"100 MPa\"",
-                            "separations = [ { from = \"0.5 um\", to = \"2 um\"");
-        const Folder folder;
-        const std::string exact = folder.write("exact.toml", text),
-                          tables = folder.write("tables.toml", text + "[sweep]\ntabulate = true\n");
-        REQUIRE(run_fstiff("sweep '" + exact + "' -o '" + folder / "exact" + "'").status == 0);
-        REQUIRE(run_fstiff("sweep '" + tables + "' -o '" + folder / "tables" + "' --threads 2").status == 0);
-        const auto wanted = lines(read(folder / "exact")), found = lines(read(folder / "tables"));
-        REQUIRE(found.size() == wanted.size());
-        double most = 0;
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            const Line a = fields(wanted[i]), b = fields(found[i]);
-            CHECK(value(a, "index") == value(b, "index"));
-            const double k = std::stod(value(a, "stiffness_Pa_per_m")),
-                         table = std::stod(value(b, "stiffness_Pa_per_m"));
-            const double error =
-                std::stod(value(a, "stiffness_error_Pa_per_m")) + std::stod(value(b, "stiffness_error_Pa_per_m"));
-            CHECK(std::abs(k - table) <= error);
-            CHECK(error < 1e-7 * k);
-            most = std::max(most, std::abs(std::stod(value(a, "separation_m")) - std::stod(value(b, "separation_m"))));
-        }
-        CHECK(most < 1e-13);     // of separations of a micrometre
-        CHECK(wanted != found);  // they are tables
-        for (const char* i : {"1", "2", "3"})
-            REQUIRE(
-                run_fstiff("sweep '" + tables + "' --shard " + i + "/3 -o '" + folder / "part-{shard}" + "'").status ==
-                0);
-        CHECK(read(folder / "part-1") + read(folder / "part-2") + read(folder / "part-3") == read(folder / "tables"));
-    }
-    const Folder folder;
-    const auto refused = [&](const std::string& text, const std::string& sentence) {
-        const Outcome outcome = run_fstiff("sweep '" + folder.write("grid.toml", text + "[sweep]\ntabulate = true\n") +
-                                           "' -o '" + folder / "out" + "'");
-        CHECK(outcome.status == 3);
-        CHECK(contains(outcome.err, sentence));
-    };
-    refused(grid, "without real_area, contacts, loading_stiffness and approach");
-    refused(replaced(grid, "{ from = \"0.1 MPa\", to = \"100 MPa\", count = 11 }", "\"1 MPa\"") + output,
-            "whose pressure or separation is swept");
-}
-
 TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their points are computed together or not") {
     const Folder folder;
     REQUIRE(run_fstiff("generate map --hurst 0.8 --rms '0.3 um' --points 48 --spacing '1 um' --format sdf -o '" +
