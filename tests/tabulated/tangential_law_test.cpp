@@ -341,6 +341,13 @@ TEST_CASE("friction is refused where its theorem does not hold, and for numbers 
     CHECK(test::refused_for("separation", [&] { (void)friction.step(state, std::nan(""), {0, 0}, state); }));
     CHECK(test::refused_for("slip", [&] { (void)friction.step(state, 1e-6, {0, std::nan("")}, state); }));
     CHECK(state.count == 0);
+    const Law ends = hertz().with(OutsideRange::refuse);  // more pressure than the table has
+    const Friction within(ends, mu, ratio);
+    const double closer = ends.separations()[0] - 1e-9;
+    CHECK(test::refused_for("separation", [&] { (void)within.first_slip(closer, 1e-9); }));
+    CHECK(test::refused_for("separation", [&] { (void)within.cycle(closer, 1e-9); }));
+    CHECK(test::refused_for("separation", [&] { (void)within.step(state, closer, {0, 0}, state); }));
+    CHECK(within.cycle(ends.separations()[1] + 1e-9, 1e-9).lost > 0);        // less, which goes on to 0
     CHECK(friction.step(state, 1, {1, 1}, state).traction.norm() < 1e-200);  // far apart
     CHECK(friction.step(state, 1e-6, {1, 0}, state).traction.allFinite());   // a metre of slip
     CHECK(test::relative_error(friction.step(state, 1e-6, {1, 0}, state).traction[0],

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 // Microslip and loss at one pressure, without a table of the law: from p, K and the fall of K with p.
@@ -144,7 +145,8 @@ public:
         : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)),
           friction_(friction),
           ratio_(ratio),
-          widening_(ratio / friction) {
+          widening_(ratio / friction),
+          closest_(law.outside() == OutsideRange::refuse ? law.separations()[0] : -std::numeric_limits<T>::infinity()) {
         detail::require_positive("friction", friction);
         detail::require_positive("ratio", ratio);
         if (law.empty() || !law.stiffness_is_slope())
@@ -152,13 +154,15 @@ public:
                            "elastic: what slips follows the unloading");
     }
 
-    /// The law of p, continued outside its range.
+    /// The law of p, continued outside its range: d* leaves it, and so do faces that part. Closer than its range, under
+    /// more pressure than it has, a law of OutsideRange::refuse is refused here too.
     [[nodiscard]] const ContactLaw<T>& normal() const { return law_; }
 
     /// q and dq/ds at the first displacement \p slip, at the separation \p separation. \throws domain_error unless the
     /// slip is at least 0, and as ContactLaw.
     [[nodiscard]] FirstSlip first_slip(T separation, T slip) const {
         detail::require(slip >= 0, "slip", slip, "0 or greater");
+        require_in_range(separation);
         const auto stuck = law_.tangent_at_separation(separation + widening_ * slip);
         return {friction_ * (law_.pressure_at_separation(separation) - stuck.pressure), ratio_ * stuck.slope};
     }
@@ -175,7 +179,7 @@ public:
 
     /// State and derivatives after a straight path from \p before to \p separation and by \p slip. \p after, which may
     /// be \p before itself, is the memory of the contact from then on; before any slip that is the separation alone.
-    /// \throws domain_error for a number that is not finite.
+    /// \throws domain_error for a number that is not finite, and a separation that normal() refuses.
     template <int Directions>
     Response<Directions> step(const SlipState<T, Directions>& before, T separation,
                               const std::type_identity_t<Vector<Directions>>& slip,
@@ -183,6 +187,7 @@ public:
         constexpr T most = (std::numeric_limits<T>::max)();
         detail::require(std::abs(separation) <= most, "separation", separation, "finite");
         for (int i = 0; i < Directions; ++i) detail::require(std::abs(slip[i]) <= most, "slip", slip[i], "finite");
+        require_in_range(separation);
         detail::SlipPath<T, Directions> path(before, separation, slip, friction_ / ratio_);
         const Response<Directions> result = response(path);
         path.remember(after, [this](T level) { return law_.pressure_at_separation(level); });
@@ -206,6 +211,11 @@ public:
     }
 
 private:
+    void require_in_range(T separation) const {
+        if (separation < closest_)
+            detail::refuse("separation", separation,
+                           "at least " + detail::shortest_text(closest_) + ", where the table ends");
+    }
     template <int Directions>
     [[nodiscard]] Response<Directions> response(const detail::SlipPath<T, Directions>& path) const {
         Response<Directions> sum;
@@ -256,6 +266,7 @@ private:
 
     ContactLaw<T> law_;
     T friction_, ratio_, widening_;  ///< widening_: of the separation where spots stick, k/mu
+    T closest_;
 };
 
 }  // namespace fstiff::inline v0_1
