@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
-from ._results import Columns, draw, frame, numbers, shown_rows, text_table
+from ._results import Columns, count_of, draw, frame, heading, lines_of, number, numbers, shown, shown_rows, text_table
 from ._surfaces import Measurement, measured_of, metres, warn_of_height
 
 if TYPE_CHECKING:
@@ -50,8 +50,10 @@ class Stiffness(Columns):
     doubtful   for each surface, whether the command would end with exit code 4
     """
 
-    def __init__(self, found: dict[str, Any], shape: tuple[int, ...], surfaces: tuple[int, ...]) -> None:
+    def __init__(self, found: dict[str, Any], p: Numbers, surfaces: tuple[int, ...], area: float | None) -> None:
         import numpy as np
+
+        shape = surfaces + p.shape
 
         def shaped(column: Any) -> npt.NDArray[Any]:
             array: npt.NDArray[Any] = np.asarray(column).reshape(shape)
@@ -60,6 +62,11 @@ class Stiffness(Columns):
         columns = {key: shaped(column) for key, column in found["numbers"].items()}
         self.causes = {key[7:]: column for key, column in columns.items() if key.startswith("causes/")}
         self._values = {key: column for key, column in columns.items() if not key.startswith("causes/")}
+        self._values.setdefault("pressure_Pa", np.broadcast_to(p, shape).copy())
+        for end in ("", "_p05", "_p95"):  # which are missing where no point has K
+            K = self._values.setdefault(f"stiffness{end}_Pa_per_m", np.full(shape, np.nan))
+            if area is not None:
+                self._values[f"stiffness{end}_N_per_m"] = area * K
         self._values["law"] = shaped(found["laws"])
         self.reasons: dict[tuple[int, ...], str] = {
             tuple(int(i) for i in np.unravel_index(place, shape)): reason for place, reason in found["reasons"].items()
@@ -90,8 +97,21 @@ class Stiffness(Columns):
         return draw(ax, *KEYS[:2], [("", *line) for line in zip(*columns)])
 
     def __repr__(self) -> str:
-        rows = shown_rows({key: self[key] for key in (*KEYS, "law")}, 3)
-        return f"<fstiff.Stiffness: {self.pressure.size} points>\n{text_table([[*rows[0][:2], '5 %', '95 %', 'law'], *rows[1:]])}"
+        import numpy as np
+
+        factor = heading(KEYS[1], self[KEYS[1]])[1]
+        pairs = zip(np.ravel(self.low) * factor, np.ravel(self.high) * factor)
+        columns: dict[str, Any] = {key: self[key] for key in KEYS[:2]}
+        columns["90 % band"] = np.array([f"{shown(low, 2)}–{shown(high, 2)}" if low == low else "-" for low, high in pairs])
+        columns["law"] = self["law"]
+        if self.doubtful.ndim and self.doubtful.size:
+            each = self.pressure.size // self.doubtful.size
+            columns = {"joint": np.repeat(np.arange(self.doubtful.size), each), **columns}
+        doubts = sorted({word.replace("_", " ") for words, doubted in zip(self.concerns, self.doubtful.flat) if doubted for word in words})
+        reasons = sorted(set(self.reasons.values()))[:3]
+        flows = np.any(self.get("loading_stiffness_Pa_per_m", np.inf) < 0.99 * self[KEYS[1]])
+        which = "\n  K is of unloading, for vibration and waves; .loading_stiffness is of the first load" if flows else ""
+        return f"<fstiff.Stiffness: {count_of(self)}>\n{text_table(shown_rows(columns, 3))}{which}" + lines_of(doubts + reasons)
 
 
 def _array(value: Any, name: str) -> Numbers:
@@ -115,7 +135,7 @@ def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
     unknown = set(of) - set(SOLID)
     if unknown:
         raise ValueError(f"{which}.{sorted(unknown)[0]}: must be one of name, {', '.join(SOLID)}")
-    made = {key: float(value) for key, value in of.items() if value is not None}
+    made = {key: number(value, f"{which}.{key}") for key, value in of.items() if value is not None}
     for key in ("youngs_modulus", "poisson_ratio"):
         if not name and key not in made:
             raise ValueError(f"{which}.{key}: is missing; give it, or the name of a material")
@@ -193,6 +213,8 @@ def answer(
     given_surfaces: Any = surface if several else [] if surface is None else [surface]
     measured = [measured_of(one) for one in given_surfaces]
     rough: Any = measured_of(other)
+    if not (rough is None or isinstance(rough, (Measurement, Mapping))):
+        raise ValueError(f"other: must be a dict of numbers, or what measure() takes, not of type {type(rough).__name__}")
     of_other: dict[str, Any] = {} if rough is None or isinstance(rough, Measurement) else dict(rough)
     other_process = of_other.pop("process", None)
     other_measured = [rough] if isinstance(rough, Measurement) else []
@@ -214,14 +236,17 @@ def answer(
         raise ValueError("surface: a list of them goes with numbers and arrays of its length")
     p = numbers(pressures, "pressures")
     given = {"area": area, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction, "amplitude": amplitude}
-    options = {name: float(value) for name, value in given.items() if value is not None}
-    options |= {"seating": float(seating), "samples": float(samples), "seed": float(seed)}
+    given |= {"seating": seating, "samples": samples, "seed": seed}
+    options = {name: number(value, name) for name, value in given.items() if value is not None}
     first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")
+    for name, word in {"process": process, "other.process": other_process}.items():
+        if not (word is None or isinstance(word, str)):
+            raise ValueError(f"{name}: must be one word, not of type {type(word).__name__}")
     if isinstance(quantities, str):
         raise ValueError(f'quantities = "{quantities}": must be a list of names')
     face = _face(own, measured, process, surfaces)
     face2 = None if other is None else _face(of_other, other_measured, other_process, surfaces)
     found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, list(quantities))
-    if "height" in own:
-        warn_of_height(float(np.max(_array(own["height"], "height"))))
-    return Stiffness(found, surfaces + p.shape, surfaces)
+    for name in {"height", "mean_height"} & set(own):
+        warn_of_height(float(np.max(_array(own[name], name), initial=0.0)))
+    return Stiffness(found, p, surfaces, options.get("area"))

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from . import _core
-from ._results import Columns, Shown, draw, frame, numbers, shown, shown_rows, text_table, with_unit
+from ._results import Columns, Shown, count_of, draw, frame, number, numbers, shown, shown_rows, text_table, with_unit
 from ._surfaces import Measurement, measure, measured_of, metres, warn_of_height
 
 if TYPE_CHECKING:
@@ -71,8 +71,8 @@ class Points(Columns):
         return draw(ax, x, y, [(self.law, self.column(x).ravel(), self.column(y).ravel(), None, None)])
 
     def __repr__(self) -> str:
-        missing = f"\n{len(self.reasons)} points have no state: see reasons" if self.reasons else ""
-        return f"<fstiff.Points of {self.law}: {self.pressure.size} points>\n{text_table(shown_rows(self, 6))}{missing}"
+        missing = f"\n{len(self.reasons)} without a state: see reasons" if self.reasons else ""
+        return f"<fstiff.Points of {self.law}: {count_of(self)}>\n{text_table(shown_rows(self, 6))}{missing}"
 
 
 #: Arguments of Contact that are no numbers, and the numbers that are not of its surface.
@@ -130,10 +130,11 @@ class Contact(Shown):
         known = [name for name in values if name not in OF_BODIES]
         if surface is not None and known:
             raise ValueError(f"{known[0]}: must not be given with surface, which has it")
-        follow = ("peak_radius", "peak_density") if law in ("hybrid", "persson") and rms_gradient is not None else ()
+        follow = ("peak_radius", "peak_density") if law in ("hybrid", "persson", "plastic") and rms_gradient is not None else ()
         missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in (*known, *follow)]
-        if surface is None and missing:
-            raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface")
+        if surface is None and missing and law in law_names():
+            of_spectrum = "; hybrid, persson and plastic need rms_height and rms_gradient alone"
+            raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface{of_spectrum}")
         given = {name: _number(value, name) for name, value in values.items()}
         surface = measured_of(surface)
         if surface is not None and not isinstance(surface, Measurement):
@@ -216,11 +217,7 @@ def _number(value: Any, name: str) -> float:
     """A number in SI units, or the number of metres of a text."""
     if isinstance(value, str) and name in LENGTHS:
         return metres(value, name)
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        what = 'a length in m, or a text such as "0.5 um"' if name in LENGTHS else "a number in SI units"
-        raise ValueError(f"{name} = {value!r}: must be {what}") from None
+    return number(value, name, 'a length in m, or a text such as "0.5 um"' if name in LENGTHS else "a number in SI units")
 
 
 def _list(quantities: Sequence[str] | None) -> list[str] | None:

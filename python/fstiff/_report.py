@@ -204,7 +204,8 @@ def check_row(check: tuple[str, str, float, float, float, bool]) -> list[str]:
     what, where = CHECKS.get(concern, (concern.replace("_", " "), "at most {}"))
     values = "none" if least > greatest else shown(least, 3) if least == greatest else f"{shown(least, 3)} to {shown(greatest, 3)}"
     known = limit == limit and abs(limit) != float("inf")
-    return [what, of, values, where.format(shown(limit, 3)) if known else "not known", "holds" if holds else "does not hold"]
+    verdict = "holds" if holds else "does not hold"
+    return [what, of, values, *((where.format(shown(limit, 3)), verdict) if known else ("not known", "not checked"))]
 
 
 def numbers_section(page: Page, curves: Curves) -> None:

@@ -131,12 +131,28 @@ def numbers(values: npt.ArrayLike, name: str) -> Numbers:
     """`values` as an array of doubles; without a copy where they are one."""
     import numpy as np
 
-    array = np.asarray(values)
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name}: must be real numbers, its rows equally long") from None
     if array.dtype.kind not in "fiub":
-        raise ValueError(f"{name}: must be real numbers, not {array.dtype}")
+        found = "text: an array is in SI units" if array.dtype.kind == "U" else array.dtype
+        raise ValueError(f"{name}: must be real numbers, not {found}")
     if np.ma.is_masked(values):
         raise ValueError(f"{name}: must not be masked; compressed() of the array leaves these points out")
     return np.asarray(array, dtype=np.float64, order="C")
+
+
+def number(value: Any, name: str, allowed: str = "a number in SI units") -> float:
+    """`value` as a double."""
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} = {value!r}: must be {allowed}") from None
+
+
+def count_of(columns: Columns) -> str:
+    return f"{columns.pressure.size} point{'' if columns.pressure.size == 1 else 's'}"
 
 
 def shown(value: float, digits: int = 4) -> str:
@@ -162,7 +178,8 @@ def shown_rows(columns: Mapping[str, Any], digits: int = 4) -> list[list[str]]:
             rows.append([name, *(shown(float(values[i]) * factor, digits) for i in few)])
         else:
             rows.append([key, *(str(values[i]) or "-" for i in few)])
-    return [list(row) for row in zip(*rows)]
+    table = [list(row) for row in zip(*rows)]
+    return table if len(table) < 9 or len(few) == values.size else [*table[:5], ["..."] * len(rows), *table[5:]]
 
 
 def lines_of(warnings: list[str]) -> str:
@@ -256,9 +273,10 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
     every: list[Any] = [np.concatenate([np.ravel(line[i]) for line in lines]) if lines else [] for i in (1, 2)]
     by_x, by_y = label_axes(ax, x, y, *every)
     for label, at, values, low, high in lines:
-        (line,) = ax.plot(at * by_x, values * by_y, label=label or None)
+        (line,) = ax.plot(at * by_x, values * by_y, label=label or None, marker="o" if np.size(at) == 1 else None)
         if low is not None and not np.all(np.isnan(low)):
-            ax.fill_between(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=0)
+            band = ax.vlines if np.size(at) == 1 else ax.fill_between
+            band(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=8 if np.size(at) == 1 else 0)
     name_ticks(ax)
     if any(line[0] for line in lines):
         ax.legend(fontsize="small")

@@ -100,11 +100,11 @@ def metres(value: Any, name: str) -> float:
     return _core.parse_length(value, name)
 
 
-def warn_of_height(sigma: float) -> None:
-    """Warns of an rms height [m] that was given in another unit."""
+def warn_of_height(sigma: float, frames: int = 1) -> None:
+    """Warns of a height [m] that was given in another unit; `frames` above the caller is who gave it."""
     if sigma > 1e-3:
         sentence = f'rms height of {shown(sigma)} m: above 1 mm; lengths are numbers in m, or texts such as "0.8 um"'
-        warnings.warn(sentence, stacklevel=3)
+        warnings.warn(sentence, stacklevel=frames + 2)
 
 
 class Surface(Shown):
@@ -367,6 +367,10 @@ class Document(Table[Any]):
         self._values = _with_arrays(json.loads(found.json))
         self.doubtful = found.doubtful
 
+    def to_json(self) -> str:
+        """The document as JSON."""
+        return json.dumps(self._values, default=lambda array: array.tolist(), indent=2)
+
     @property
     def warnings(self) -> list[str]:
         """Sentences on what may not hold."""
@@ -605,7 +609,7 @@ def measure(
     kept = [(one[0].copy(), *one[1:]) for one in arrays]
     measured._origin = Origin((made, files, [os.path.abspath(name) for name in files], hashes, kept), found.measured)
     if arrays:
-        warn_of_height(measured.rms_height.value)
+        warn_of_height(measured.rms_height.value, 2)
     return measured
 
 

@@ -111,6 +111,31 @@ def test_points_without_a_stiffness_and_concerns():
     found = fstiff.answer(height=0.8e-6, gradient=0.1, upper=soft, pressures=PRESSURES)
     assert np.isnan(found.stiffness[2]) and found["law"][2] == "" and found.doubtful
     assert found.reasons[(2,)].startswith("at the hardness") and "no_state" in found.concerns[0]
+    assert "warning: no state\nwarning: at the hardness" in repr(found)
+    none = fstiff.answer(height=0.8e-6, gradient=0.1, upper=soft, pressures=1e9)
+    assert np.isnan(none.stiffness) and np.isnan(none.low) and none.pressure == 1e9 and "at the hardness" in repr(none)
+    assert "0 points" in repr(fstiff.answer(height=0.8e-6, pressures=[]))
+
+
+def test_what_print_and_plot_show():
+    one = fstiff.answer(height=0.8e-6, gradient=0.1, pressures=1e7, area=1e-4)
+    assert one["stiffness_N_per_m"] == 1e-4 * one.stiffness and one.joint_stiffness.low == 1e-4 * one.low
+    assert f"{one.low * 1e-12:.2g}–{one.high * 1e-12:.2g}" in repr(one) and "1 point>" in repr(one)
+    many = fstiff.answer(height=np.array([0.4e-6, 0.8e-6, 1.6e-6]), gradient=0.1, pressures=PRESSURES)
+    assert "joint" in repr(many) and "..." in repr(many)
+    pytest.importorskip("matplotlib")
+    axes = one.plot()
+    assert axes.lines[0].get_marker() == "o" and len(axes.collections) == 1  # a band of one point
+
+
+def test_heights_in_another_unit_are_warned_of_where_they_were_given():
+    for name in ("height", "mean_height"):
+        with pytest.warns(UserWarning, match="above 1 mm") as caught:
+            fstiff.answer(**{name: 1.6}, pressures=1e7, samples=0)
+        assert caught[0].filename == __file__
+    with pytest.warns(UserWarning, match="above 1 mm") as caught:
+        fstiff.measure(np.random.default_rng(1).normal(size=400), spacing=1e-6)
+    assert caught[0].filename == __file__
 
 
 @pytest.mark.parametrize(
@@ -130,6 +155,12 @@ def test_points_without_a_stiffness_and_concerns():
         ({"surface": 3}, "^surface: must be what measure"),
         ({}, "rms_height|height"),
         ({"height": 1e-6, "samples": 3}, "^samples = 3"),
+        ({"height": 1e-6, "area": "2 cm^2"}, "^area = '2 cm.2': must be a number in SI units"),
+        ({"height": 1e-6, "upper": {"name": "steel", "hardness": "240 HV"}}, "^upper.hardness = '240 HV': must be a number"),
+        ({"height": 1e-6, "other": 1e-6}, "^other: must be a dict of numbers"),
+        ({"height": 1e-6, "process": ["turned"]}, "^process: must be one word"),
+        ({"height": 1e-6, "pressures": "30 MPa"}, "^pressures: must be real numbers, not text"),
+        ({"height": 1e-6, "pressures": [[1e6], [1e6, 2e6]]}, "^pressures: must be real numbers, its rows equally long"),
         ({"height": 1e-6, "pressures": [1e6, -1]}, "^pressure = -1"),
     ],
 )
