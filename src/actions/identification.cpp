@@ -2,6 +2,7 @@
 #include "actions/identify.hpp"
 
 #include "actions/results.hpp"
+#include "actions/ultrasound.hpp"
 #include "document/shown_unit.hpp"
 
 #include <fstiff/asperity/material.hpp>
@@ -18,21 +19,6 @@ using detail::dimensionless_pressure, detail::Face, detail::Law, detail::Problem
     document::rounded, scene::Scene, surface::option_name;
 
 namespace {
-
-/// "a, b and c", with \p last before the last one.
-std::string joined(const std::vector<std::string_view>& words, std::string_view last) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        text.append(i == 0 ? "" : i + 1 == words.size() ? last : ", ").append(words[i]);
-    return text;
-}
-
-/// "sigma and Dp", in the order of --fit.
-std::string names_of(const std::vector<Parameter>& parameters) {
-    std::vector<std::string_view> names;
-    for (const Parameter parameter : parameters) names.push_back(detail::row_of(parameter).short_name);
-    return joined(names, " and ");
-}
 
 std::vector<Observation<double>> observations(const MeasuredCurve& curve, const std::vector<MeasuredPoint>& points) {
     std::vector<Observation<double>> data;
@@ -186,48 +172,6 @@ void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) tr
 } catch (const domain_error&) {  // no surface has K so far from the data
 }
 
-std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
-    const std::string names = names_of(finding.parameters);
-    switch (finding.concern) {
-        case FitConcern::singular:
-            return (finding.parameters.size() < 2 ? "the data do not depend on " + names + " here"
-                                                  : "the data cannot distinguish " + names +
-                                                        ": a change of one is compensated by the others, so only a "
-                                                        "combination of them can be found") +
-                   "; fit fewer parameters. K(p) contains " +
-                   (fit.law->needs_spectrum
-                        ? "g and E only as the product E g; R and Dp count only where g or alpha follows from them"
-                        : "R, Dp and E only as the product E Dp sqrt(R); of sigma, this product and D at most two can "
-                          "be found; only the fractal laws depend on D");
-        case FitConcern::not_converged:
-            return "the search did not converge: start closer to the data, or fit fewer parameters";
-        case FitConcern::misfit:
-            return "chi^2/dof = " + rounded(finding.value, 3) +
-                   ": the model does not describe the data within their errors, and the standard errors are too small";
-        case FitConcern::scattered:
-            return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
-                   " % about the model: the model does not describe them, or some of them are wrong";
-        case FitConcern::outlier:
-            return "the point at p = " + document::with_unit(fit.points[finding.point].pressure, "Pa") + " is " +
-                   rounded(finding.value, 2) +
-                   " times as far from the model as the median of the points: it distorts the fit";
-        case FitConcern::far_from_start:
-            return names + " is " + rounded(finding.value, 2) +
-                   " times its starting value: check the units of the measured columns; if they are right, start from "
-                   "the value found";
-        case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
-        case FitConcern::at_bound:
-            return names +
-                   " is at the end of its range: no value within it fits the data, and its errors are not available";
-        case FitConcern::unresolved:
-            return "the data hardly constrain " + names +
-                   ": the ends of its interval differ by a factor of 100 or more";
-        case FitConcern::correlated:
-            return names + " can hardly be separated (correlation " + rounded(finding.value, 4) + ")";
-    }
-    return {};
-}
-
 std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     const std::string name = option_name(request.prefix, "wave");
     if (!curve.is_reflection && request.shear)
@@ -277,7 +221,7 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
         if (!law->has_peaks) add(scene.peaks.empty() ? nullptr : &scene.peaks.front());
     }
     if (fits.empty())
-        throw domain_error(scene.file + ": contact.laws: must name " + joined(detail::fitted_law_names(), " or ") +
+        throw domain_error(scene.file + ": contact.laws: must name " + document::list_of(detail::fitted_law_names()) +
                            "; " + skipped + " is too slow to fit");
     if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
         throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
@@ -321,8 +265,8 @@ bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, doub
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
 std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(problem);
-    const bool known = !problem.hardness_range && std::isfinite(hardness);
-    if (flows(problem, *fit.law) || !known || fit.found.status == math::FitStatus::singular) return "";
+    if (flows(problem, *fit.law) || !std::isfinite(hardness) || fit.found.status == math::FitStatus::singular)
+        return "";
     const ContactParameters<double>& x = fit.found.optimum;
     Problem fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);
@@ -337,6 +281,7 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
     return "the peaks of the fitted surface yield (" +
            (g ? "H/(E g) = " + rounded(hardness / (x.effective_modulus * *g), 2) : "") +
            (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +
+           (problem.hardness_range ? "; H = " + document::with_unit(hardness, "Pa", 2) + " is assumed" : "") +
            "): an elastic law does not apply to this contact, and its parameters are not those of the surface; fit " +
            (has_plastic ? "plastic" : "jackson_green");
 }
@@ -363,6 +308,13 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     Fits fits;
     fits.wave = wave_of(scene, curve, request);
     fits.warnings = scene.warnings;
+    fits.warnings.insert(fits.warnings.end(), curve.warnings.begin(), curve.warnings.end());
+    if (fits.wave) {
+        const double film = fits.wave->film_stiffness, welded = detail::welded_reflection(fits.wave->media);
+        const double alone = film > 0 ? reflection(film, fits.wave->media, fits.wave->angular_frequency) : 1;
+        if (const std::string beyond = beyond_reach(curve, welded, alone); !beyond.empty())
+            fits.warnings.push_back(beyond + ": no K gives it; the rows count by their distance from the model");
+    }
     require_known(scene, request);
     fits.fits = fits_of(scene, curve, request, fits.warnings);
     IdentifyOptions<double> options;

@@ -19,6 +19,17 @@ using document::Cell, document::Json, document::Rows;
 
 namespace {
 
+/// "sigma, g and E", in the order of --fit.
+std::string names_of(const std::vector<Parameter>& parameters) {
+    std::string text;
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        text.append(i == 0                       ? ""
+                    : i + 1 == parameters.size() ? " and "
+                                                 : ", ")
+            .append(detail::row_of(parameters[i]).short_name);
+    return text;
+}
+
 Json matrix_json(const Eigen::MatrixXd& matrix) {
     Json rows = Json::array();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -125,6 +136,12 @@ void introduce(document::Document& document, const scene::Scene& scene, const Id
         std::to_string(curve.points.size()) + " points, p " + document::rounded(least->pressure / 1e6) + " to " +
             document::rounded(most->pressure / 1e6) + " MPa, " +
             (curve.has_errors ? "weighed by their errors" : "no errors: equal weights, errors from the scatter"));
+    if (!scene.assumptions.empty()) {
+        InputLine assumed{"assumed", scene.assumptions};
+        assumed.parts.emplace_back("which the intervals leave out");
+        document.text([text = in_lines(assumed)] { return text; });
+        document.json["assumed"] = scene.assumptions;
+    }
     document.json["scene"] = scene_json(scene);
     document.json["measured"] = {{"file", curve.name},
                                  {"sha256", curve.sha256},
@@ -217,6 +234,49 @@ void add_fit(document::Document& document, const Identified& identified, const F
 }
 
 }  // namespace
+
+std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
+    const std::string names = names_of(finding.parameters);
+    switch (finding.concern) {
+        case FitConcern::singular:
+            return (finding.parameters.size() < 2 ? "the data do not depend on " + names + " here"
+                                                  : "the data cannot distinguish " + names +
+                                                        ": a change of one is compensated by the others, so only a "
+                                                        "combination of them can be found") +
+                   "; fit fewer parameters. K(p) contains " +
+                   (fit.law->needs_spectrum
+                        ? "g and E only as the product E g, and under light loads neither this nor the hardness; R and "
+                          "Dp count only where g or alpha follows from them"
+                        : "R, Dp and E only as the product E Dp sqrt(R); of sigma, this product and D at most two can "
+                          "be found; only the fractal laws depend on D");
+        case FitConcern::not_converged:
+            return "the search did not converge: start closer to the data, or fit fewer parameters";
+        case FitConcern::misfit:
+            return "chi^2/dof = " + document::rounded(finding.value, 3) +
+                   ": the model does not describe the data within their errors, and the standard errors are too small";
+        case FitConcern::scattered:
+            return "the points scatter by " + std::to_string(std::lround(100 * finding.value)) +
+                   " % about the model: the model does not describe them, or some of them are wrong";
+        case FitConcern::outlier:
+            return "the point at p = " + document::with_unit(fit.points[finding.point].pressure, "Pa") + " is " +
+                   document::rounded(finding.value, 2) +
+                   " times as far from the model as the median of the points: it distorts the fit";
+        case FitConcern::far_from_start:
+            return names + " is " + document::rounded(finding.value, 2) +
+                   " times its starting value: check the units of the measured columns; if they are right, start from "
+                   "the value found";
+        case FitConcern::no_errors: return "no standard errors: as many parameters as points, and no column of errors";
+        case FitConcern::at_bound:
+            return names +
+                   " is at the end of its range: no value within it fits the data, and its errors are not available";
+        case FitConcern::unresolved:
+            return "the data hardly constrain " + names +
+                   ": the ends of its interval differ by a factor of 100 or more";
+        case FitConcern::correlated:
+            return names + " can hardly be separated (correlation " + document::rounded(finding.value, 4) + ")";
+    }
+    return {};
+}
 
 std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
     std::vector<Parameter> wanted;

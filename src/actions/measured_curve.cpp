@@ -64,7 +64,7 @@ const std::vector<Meaning>& meanings() {
         // takes its unit from its title, or none
         {column::error,
          io::Dimension::stiffness_per_area,
-         {"error", "standard error", "standard_error", "uncertainty"}}};
+         {"error", "standard error", "standard_error", "uncertainty", "std", "stdev", "standard deviation"}}};
     return meanings;
 }
 
@@ -103,6 +103,8 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
         const auto meaning = std::find_if(meanings().begin(), meanings().end(), [&](const Meaning& known) {
             return std::find(known.names.begin(), known.names.end(), title.name) != known.names.end();
         });
+        if (meaning == meanings().end() && !header.computed())
+            curve.warnings.push_back(where + "column \"" + std::string(cells[i]) + "\" is not read");
         if (meaning == meanings().end() || i == header.r) continue;
         if (header.computed() && meaning->kind == column::error) {
             curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) +
@@ -113,8 +115,13 @@ Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& 
         const std::string column = where + "column \"" + std::string(cells[i]) + "\": ";
         double factor = 1;
         const bool is_plain_error = meaning == meanings().end() - 1;
-        if (is_plain_error) header.error_is_share = title.unit.empty();
-        if (meaning->dimension && !(is_plain_error && title.unit.empty())) {
+        const bool is_share = !meaning->dimension || (is_plain_error && (title.unit.empty() || title.unit == "%"));
+        if (is_plain_error) header.error_is_share = is_share;
+        if (is_share) {
+            if (!title.unit.empty() && title.unit != "%")
+                throw domain_error(column + "has the unit \"" + title.unit + "\"; must be a plain number, or in %");
+            factor = title.unit.empty() ? 1 : 0.01;
+        } else {
             try {
                 if (title.unit.empty())
                     throw domain_error("has no unit; must be one of " + io::accepted_units(*meaning->dimension));

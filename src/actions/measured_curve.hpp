@@ -30,6 +30,7 @@ struct MeasuredCurve {
     bool is_reflection = false;  ///< else stiffness
     bool has_errors = false;
     std::vector<std::string> decisions;   ///< which column was read as what
+    std::vector<std::string> warnings;    ///< which was not
     std::vector<ComputedCurve> computed;  ///< of a file of `fstiff run`; else empty
     std::vector<MeasuredPoint> points;
 
@@ -39,9 +40,9 @@ struct MeasuredCurve {
 
 /// Reads \p file ("-" is standard input). The first line that is not a comment names the columns with their units:
 /// pressure, then stiffness or reflection, and optionally stiffness_error or reflection_error (or error). Others are
-/// left. A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and curvatures there,
-/// the stiffness is taken before the reflection, and no error is read. Its answer is one curve, and left out where laws
-/// are named.
+/// left, with a warning. A file with the columns law and eta is of `fstiff run`: r is the correlation of heights and
+/// curvatures there, the stiffness is taken before the reflection, and no error is read. Its answer is one curve, and
+/// left out where laws are named.
 /// \throws domain_error naming file, line and what must be there.
 [[nodiscard]] MeasuredCurve read_measured_curve(const std::string& file);
 /// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors

@@ -30,29 +30,6 @@ std::size_t width_of(const std::string& text) {
     return most;
 }
 
-/// Parts with commas between them, in lines of at most \p widest that begin with \p first and go on below it.
-std::string in_lines(const std::string& first, const std::vector<std::string>& parts) {
-    std::string text = "  " + first + std::string(10 - first.size(), ' ');
-    const std::string below(text.size(), ' ');
-    if (parts.size() == 1) {  // a sentence
-        const std::vector<std::string> lines = document::wrapped(parts.front(), widest - below.size());
-        for (std::size_t i = 0; i < lines.size(); ++i) text += (i > 0 ? below : "") + lines[i] + "\n";
-        return text;
-    }
-    std::size_t used = below.size();
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::size_t size = document::shown_width(parts[i]) + 2;
-        if (i > 0 && used + size > widest) {
-            text.back() = '\n';
-            text += below;
-            used = below.size();
-        }
-        text += parts[i] + (i + 1 < parts.size() ? ", " : "\n");
-        used += size;
-    }
-    return text;
-}
-
 /// \p sentence in lines of at most \p widest.
 std::string in_text(const std::string& sentence) {
     std::string text;
@@ -167,7 +144,7 @@ std::string introduction(const Scene& scene, const Results& results) {
     std::string text =
         "fstiff " FSTIFF_VERSION_TEXT ": " + document::printable(scene.name + " (" + scene.file + ")") + "\n";
     text += answered(scene, results);
-    for (const InputLine& line : input_lines(scene, results)) text += in_lines(line.label, line.parts);
+    for (const InputLine& line : input_lines(scene, results)) text += in_lines(line);
     return text;
 }
 
@@ -239,24 +216,27 @@ std::string curve_tables(const Scene& scene, const Results& results, std::string
     return text;
 }
 
-/// \p quantity of every curve, of a stiffness with its band.
+/// \p quantity of every curve, of one that K gives with its band.
 std::string quantity_tables(const Scene& scene, const Results& results, const Units& units, CurveQuantity quantity) {
     const scene::Column column{quantity};
     const document::Heading heading = heading_of(column, units);
-    const bool band = has_band(results) && column.row().of_stiffness == scene::OfStiffness::rises;
-    return curve_tables(scene, results, heading.shown + (band ? ", 5 % to 95 %" : ""),
-                        [&](const Curve& curve, std::size_t i) {
-                            const auto value = [&](scene::Statistic statistic) {
-                                const auto number = curve.value_at(i, quantity, statistic);
-                                return number ? std::optional(*number * heading.factor) : number;
-                            };
-                            const auto middle = value(scene::Statistic::value), low = value(scene::Statistic::p05),
-                                       high = value(scene::Statistic::p95);
-                            if (!middle || !band || !low || !high) return middle ? document::rounded(*middle) : "-";
-                            const int digits = *high - *low < 0.2 * *middle ? 3 : 2;  // enough to distinguish the ends
-                            return document::rounded(*middle, 3) + " (" + document::rounded(*low, digits) + "–" +
-                                   document::rounded(*high, digits) + ")";
-                        });
+    const scene::OfStiffness of = column.row().of_stiffness;
+    const bool band = has_band(results) && of != scene::OfStiffness::none;
+    const bool near_one = of == scene::OfStiffness::falls && column.row().unit.empty();  // |R|
+    return curve_tables(
+        scene, results, heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
+            const auto value = [&](scene::Statistic statistic) {
+                const auto number = curve.value_at(i, quantity, statistic);
+                return number ? std::optional(*number * heading.factor) : number;
+            };
+            const auto middle = value(scene::Statistic::value), low = value(scene::Statistic::p05),
+                       high = value(scene::Statistic::p95);
+            if (!middle || !band || !low || !high) return middle ? document::rounded(*middle) : "-";
+            const double nearest = std::min({*high - *low, 2 * (*high - *middle), 2 * (*middle - *low)});
+            const int digits = near_one || nearest < 0.2 * *middle ? 3 : 2;  // that distinguish all three
+            return document::rounded(*middle, near_one ? 4 : 3) + " (" + document::rounded(*low, digits) + "–" +
+                   document::rounded(*high, digits) + ")";
+        });
 }
 
 /// The tables of the summary.
@@ -306,6 +286,30 @@ std::string summary(const Scene& scene, const Results& results) {
 
 }  // namespace
 }  // namespace run_text
+
+std::string in_lines(const InputLine& line) {
+    constexpr std::size_t widest = run_text::widest;
+    const std::vector<std::string>& parts = line.parts;
+    std::string text = "  " + line.label + std::string(10 - line.label.size(), ' ');
+    const std::string below(text.size(), ' ');
+    if (parts.size() == 1) {  // a sentence
+        const std::vector<std::string> lines = document::wrapped(parts.front(), widest - below.size());
+        for (std::size_t i = 0; i < lines.size(); ++i) text += (i > 0 ? below : "") + lines[i] + "\n";
+        return text;
+    }
+    std::size_t used = below.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::size_t size = document::shown_width(parts[i]) + 2;
+        if (i > 0 && used + size > widest) {
+            text.back() = '\n';
+            text += below;
+            used = below.size();
+        }
+        text += parts[i] + (i + 1 < parts.size() ? ", " : "\n");
+        used += size;
+    }
+    return text;
+}
 
 std::vector<InputLine> input_lines(const Scene& scene, const Results& results) {
     std::vector<InputLine> lines{{"surface", run_text::surface_parts(scene, results)}};

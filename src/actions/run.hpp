@@ -37,6 +37,8 @@ struct InputLine {
     std::string label;
     std::vector<std::string> parts;
 };
+/// \p line as text: its parts with commas between them, in lines of at most 100 columns.
+[[nodiscard]] std::string in_lines(const InputLine& line);
 /// Surface, measured files, material, contact, waves, what was assumed, and what to measure next.
 [[nodiscard]] std::vector<InputLine> input_lines(const scene::Scene& scene, const Results& results);
 /// The document of fstiff run. The text is a summary at the points of the answer or, \p full, every point and quantity;

@@ -5,6 +5,7 @@
 #include "document/shown_unit.hpp"
 #include "io/number.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <filesystem>
@@ -51,6 +52,16 @@ struct Faults {
     }
 };
 
+/// On an R within two of its errors of where K has no value, \p where.
+std::string near_the_end(const std::string& most, const std::string& where) {
+    return "R is within two errors of " + most + " or of the welded joint" + where +
+           ": the first-order error of K is unreliable there";
+}
+
+std::string most_of(double film_alone) {
+    return document::rounded(film_alone) + (film_alone < 1 ? ", that of the film alone" : "");
+}
+
 void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflection& reflection) {
     if (!measured.is_reflection)
         throw domain_error(measured.name + ": holds stiffnesses; must hold a column reflection to compute them from");
@@ -58,14 +69,13 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
     const MeasuredCurve& curve = converted.curve;
     if (!curve.has_errors) converted.error = request.reflection_error;
     const double omega = detail::angular_frequency(reflection.frequency);
-    Faults beyond, doubtful;
+    Faults doubtful;
     for (const MeasuredPoint& point : curve.points) {
         const double error = curve.has_errors ? point.error : request.reflection_error.value_or(0);
         if (curve.has_errors || request.reflection_error) converted.errors.push_back(error);
         if (!(point.value > reflection.welded &&
               point.value < reflection.film_alone)) {  // what noise makes of light loads, or of heavy ones
             converted.stiffness.emplace_back();
-            beyond.add(point.line);
             continue;
         }
         converted.stiffness.emplace_back(
@@ -75,21 +85,20 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
         if (!converted.stiffness.back()->bounded || 2 * error >= reflection.film_alone - point.value)
             doubtful.add(point.line);
     }
-    const std::string most =
-        document::rounded(reflection.film_alone) + (reflection.film_stiffness > 0 ? ", that of the film alone" : "");
-    if (beyond.count > 0 && beyond.count == curve.points.size())
-        throw domain_error(curve.name + ":" + std::to_string(beyond.first_line) +
+    const std::string most = most_of(reflection.film_alone),
+                      unreached = beyond_reach(curve, reflection.welded, reflection.film_alone);
+    reflection.warnings = curve.warnings;
+    if (curve.has_errors && request.reflection_error)
+        reflection.warnings.push_back("the errors are those of " + curve.name + ", not the one that is given");
+    if (std::none_of(converted.stiffness.begin(), converted.stiffness.end(),
+                     [](const auto& K) { return K.has_value(); }))
+        throw domain_error(curve.name + ":" + std::to_string(curve.points.front().line) +
                            ": reflection = " + document::shortest(curve.points.front().value) +
                            ": must be greater than " + document::shortest(reflection.welded) +
                            ", that of the welded joint, and less than " + most + "; no row is");
-    reflection.doubtful = beyond.count > 0;
-    if (beyond.count > 0)
-        reflection.warnings.push_back("R is not between that of the welded joint, " +
-                                      document::rounded(reflection.welded) + ", and " + most + beyond.in(curve) +
-                                      ": no stiffness there");
-    if (doubtful.count > 0)
-        reflection.warnings.push_back("R is within two errors of " + most + " or of the welded joint" +
-                                      doubtful.in(curve) + ": the first-order error of K is unreliable there");
+    reflection.doubtful = !unreached.empty();
+    if (reflection.doubtful) reflection.warnings.push_back(unreached + ": no stiffness there");
+    if (doubtful.count > 0) reflection.warnings.push_back(near_the_end(most, doubtful.in(curve)));
 }
 
 /// R of the stiffness, or K of the one reflection that is \p given, and what else follows.
@@ -190,6 +199,15 @@ void add_one(document::Document& document, const Reflection& reflection) {
 
 }  // namespace
 
+std::string beyond_reach(const MeasuredCurve& curve, double welded, double film_alone) {
+    Faults beyond;
+    for (const MeasuredPoint& point : curve.points)
+        if (!(point.value > welded && point.value < film_alone)) beyond.add(point.line);
+    return beyond.count == 0 ? ""
+                             : "R is not between that of the welded joint, " + document::rounded(welded) + ", and " +
+                                   most_of(film_alone) + beyond.in(curve);
+}
+
 Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve) {
     const auto name = [&](std::string_view key) { return surface::option_name(request.prefix, key); };
     const bool of_reflection = curve || !request.reflection.empty();
@@ -223,6 +241,8 @@ Reflection reflection_of(const ReflectionRequest& request, std::optional<Measure
         convert(request, *std::move(curve), reflection);
     else
         reflection.one = at_one(request, reflection, given);
+    if (given && request.reflection_error && 2 * *request.reflection_error >= reflection.film_alone - *given)
+        reflection.warnings.push_back(near_the_end(most_of(reflection.film_alone), ""));
     return reflection;
 }
 

@@ -84,6 +84,9 @@ struct Reflection {
     bool doubtful = false;  ///< a reflection that no stiffness has
 };
 
+/// The rows of \p curve whose R is not between that of the welded joint and that of the film alone, which no stiffness
+/// gives; empty where all are.
+[[nodiscard]] std::string beyond_reach(const MeasuredCurve& curve, double welded, double film_alone);
 /// \throws option_error for options that do not fit together, domain_error for values and files out of range.
 [[nodiscard]] Reflection reflection_of(const ReflectionRequest& request, std::optional<MeasuredCurve> curve = {});
 /// The document of fstiff ultrasound. The CSV of a curve has no column of R: it reads back as a measured K(p).

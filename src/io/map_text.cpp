@@ -321,7 +321,7 @@ private:
                 name_, stated_.without_unit_line,
                 {shown_cell(stated_.without_unit), " has no unit; must be ",
                  given_as(options_.names, "units", units_text()), " (lengths, heights), or dx and dy be given"});
-        refuse_file(name_, {"is a matrix that states no physical size, and none is given; must be ",
+        refuse_file(name_, {"is a matrix that states no ", step, " and no ", whole, "; must be ",
                             given_steps(options_.names), " (between points) or width and height (of the map)"});
     }
 
@@ -376,7 +376,7 @@ extern constexpr Reader matrix_reader{
     .endings = ".txt .asc .csv ...",
     .holds = "text: a row of the map in a line; exports of Gwyddion in any language, Keyence, SPIP, ESRI",
     .recognised = "four columns and more, or a size in the header or by --dx or --width",
-    .asks_for = "--units, and --dx or --width, without a header that has them",
+    .asks_for = "--units, and --dx and --dy or --width and --height, without a header that has them",
     .options = "units dx dy width height missing thousands channel"};
 
 }  // namespace detail

@@ -260,7 +260,7 @@ extern constexpr Reader npy_reader{
     .endings = ".npy",
     .holds = "NumPy array of integers or floating point: one dimension is a profile, two are a map",
     .recognised = "its first bytes, \\x93NUMPY",
-    .asks_for = "--units, and --spacing, of a map also --dx and --dy or --width and --height",
+    .asks_for = "--units, and --spacing, or of a map --dx and --dy or --width and --height",
     .options = "units spacing dx dy width height missing",
     .begins = is_npy,
     .read = read_by<NpyReader>};

@@ -53,12 +53,13 @@ double parse_quantity(std::string_view text, Dimension dimension, std::string_vi
     const auto bare = detail::leading_number(inner);
     if (bare.status == detail::NumberStatus::no_number)
         detail::refuse_text(name, text,
-                            "does not begin with a finite number; allowed is a " + kind +
-                                " as number and unit, the unit one of " + accepted_units(dimension));
+                            "does not begin with a finite number; allowed is a number and a unit of " + kind +
+                                ", one of " + accepted_units(dimension));
     const std::string_view unit_text = detail::without_blanks(inner.substr(bare.length));
     if (unit_text.empty())
-        detail::refuse_text(name, text,
-                            "a number without a unit; a " + kind + " needs one of " + accepted_units(dimension));
+        detail::refuse_text(
+            name, text,
+            "a number without a unit; must have a unit of " + kind + ", one of " + accepted_units(dimension));
     const detail::Unit* const unit = detail::find_unit(unit_text, dimension);
     if (!unit)
         detail::refuse_text(name, text,

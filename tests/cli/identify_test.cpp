@@ -389,6 +389,12 @@ TEST_CASE("identify fits hybrid and plastic, which run answers with") {
         const bool told = test::contains(document["warnings"].dump(), "the peaks of the fitted surface yield");
         CHECK(told == (law == "hybrid"));
         if (told) CHECK(test::contains(document["warnings"].dump(), "H/(E g) = 0.1"));
+        if (told)  // also with a hardness that is assumed
+            CHECK(
+                test::contains(identify(folder, test::replaced(of(law, "0.8 um", "0.12"), "hardness = \"2 GPa\"\n", ""),
+                                        data, flows, 4)["warnings"]
+                                   .dump(),
+                               "is assumed): an elastic law"));
         // no law was chosen: the one for peaks that yield
         const auto best = identify(folder, of("", "0.5 um", "0.12"), data, "--fit sigma", law == "hybrid" ? 4 : 0);
         REQUIRE(best["fits"].size() == 1);

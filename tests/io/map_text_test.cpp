@@ -73,7 +73,7 @@ TEST_CASE("A matrix has its pitch and a height factor from a header of keys") {
 
 TEST_CASE("A matrix without a physical size or a unit is refused with the option that resolves it") {
     CHECK(has(refusal(matrix(" ")), "dx and dy (between points) or width and height"));
-    CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6}), "states no physical size"));
+    CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6}), "states no dy and no height"));
     CHECK(has(refusal(matrix(" "), {.dx = 1e-6, .dy = 1e-6}), "units = \"UNIT\""));
     CHECK(has(refusal("Width: 10\nHeight: 8\nunit: nm\n" + matrix(" ")), "line 1: \"width\" has no unit"));
     CHECK(has(refusal(matrix(" "), {.units = "nm", .dx = 1e-6, .dy = 1e-6, .width = 1e-6}), "both given"));
@@ -106,7 +106,7 @@ TEST_CASE("An export of Keyence has its pitch, counts and unit in quoted cells")
     CHECK(has(refusal(with("\"5\"", "\"6\"")), "line 3: states 6 columns where there are 5"));
     CHECK(has(refusal(with("\"4\"", "\"9\"")), "line 4: states 9 rows where there are 4"));
     CHECK(has(refusal(with("\"um\"", "\"V\"")), "\"V\" is not a unit of length"));
-    CHECK(has(refusal(with("\"nm\"", "\"s\"")), "states no physical size"));
+    CHECK(has(refusal(with("\"nm\"", "\"s\"")), "states no dx and no width"));
 }
 
 TEST_CASE("An export of SPIP has its lengths in nm, and its heights in a unit or in counts of so many nm") {
@@ -130,7 +130,7 @@ TEST_CASE("A comma in the lengths of a header is decimal unless it may separate 
     check_map(read(lengths + matrix("\t")), 2e-6, 200e-9, 1e-9);
     const std::string three = "# Breite: 10,000 um\n# H\xF6he: 800,000 nm\n# Einheiten: nm\n";
     check_map(read(three + with_commas(matrix("\t"))), 2e-6, 200e-9, 1e-9);
-    CHECK(has(refusal(three + matrix("\t")), "states no physical size"));
+    CHECK(has(refusal(three + matrix("\t")), "states no dx and no width"));
 }
 
 TEST_CASE("Options replace the header of a matrix") {

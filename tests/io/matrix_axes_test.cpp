@@ -77,7 +77,7 @@ TEST_CASE("Positions in the first row and column are the steps of a matrix, neve
 TEST_CASE("Axes that count points give no steps", "[axes]") {
     for (const char* corner : {"", "Index", "0"}) {
         CAPTURE(corner);
-        CHECK(has(refusal(matrix(corner, 1, 1), {.units = "um"}), "states no physical size"));
+        CHECK(has(refusal(matrix(corner, 1, 1), {.units = "um"}), "states no dx and no width"));
         check(read(matrix(corner, 1, 1), {.units = "um", .dx = 2e-6, .dy = 3e-6}), 2e-6, 3e-6, 1e-6);
     }
     check(read(matrix("y\\x [um]", 1, 1), {.units = "nm"}), 1e-6, 1e-6, 1e-9);

@@ -179,7 +179,7 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
         case Lack::map: return "needs a measured map";
         case Lack::sum_of_maps: return "needs two measured maps of one grid";
         case Lack::summits: return "needs summits: no point of the map is above its eight neighbours";
-        case Lack::points: return "needs a map without missing points";
+        case Lack::points: return "needs a map without missing points, such as one whose points were filled";
         case Lack::side: return "needs a map of at least 16 points a side";
         case Lack::small_map: return "needs a map of at least 4 points a side";
         case Lack::moments: return "needs a spectrum: rms_gradient and alpha, or peak_radius and peak_density";
