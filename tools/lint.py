@@ -32,7 +32,7 @@ INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
 # sizes, in lines: of a file, of a function, of the comment that opens a header, and of folders.
 FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
-TOTALS = {"include": 31957, "src without io": 18212, "tools": 3617}
+TOTALS = {"include": 31957, "src without io": 18216, "tools": 3617}
 
 
 def read(path):

@@ -340,7 +340,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
         }
         if (const std::string flow = flow_of(scene, fit, request.wanted); !flow.empty()) {
             fits.warnings.push_back(title(fit) + ": " + flow);
-            doubted = true;
+            doubted = doubted || !scene.hardness_range;
         }
         sound += !doubted;
     }

@@ -222,7 +222,12 @@ std::string quantity_tables(const Scene& scene, const Results& results, const Un
     const document::Heading heading = heading_of(column, units);
     const scene::OfStiffness of = column.row().of_stiffness;
     const bool band = has_band(results) && of != scene::OfStiffness::none;
-    const bool near_one = of == scene::OfStiffness::falls && column.row().unit.empty();  // |R|
+    const auto text = [reflection = of == scene::OfStiffness::falls && column.row().unit.empty()](double x,
+                                                                                                  int digits) {
+        const double rest = std::max(1 - x, 1e-15);  // 1 - |R| has two digits
+        return document::rounded(x,
+                                 reflection ? 1 + std::max(2, static_cast<int>(std::ceil(-std::log10(rest)))) : digits);
+    };
     return curve_tables(
         scene, results, heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
             const auto value = [&](scene::Statistic statistic) {
@@ -233,9 +238,8 @@ std::string quantity_tables(const Scene& scene, const Results& results, const Un
                        high = value(scene::Statistic::p95);
             if (!middle || !band || !low || !high) return middle ? document::rounded(*middle) : "-";
             const double nearest = std::min({*high - *low, 2 * (*high - *middle), 2 * (*middle - *low)});
-            const int digits = near_one || nearest < 0.2 * *middle ? 3 : 2;  // that distinguish all three
-            return document::rounded(*middle, near_one ? 4 : 3) + " (" + document::rounded(*low, digits) + "–" +
-                   document::rounded(*high, digits) + ")";
+            const int digits = nearest < 0.2 * *middle ? 3 : 2;  // that distinguish all three
+            return text(*middle, 3) + " (" + text(*low, digits) + "–" + text(*high, digits) + ")";
         });
 }
 

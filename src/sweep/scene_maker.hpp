@@ -85,7 +85,7 @@ private:
     std::vector<Setter> setters_;
     std::size_t point_axis_ = 0;
     bool folds_ = false;
-    bool measured_ = false;                ///< the scenes have files of surfaces
+    bool measured_ = false;  ///< the scenes have files of surfaces
     RecentScenes scenes_, surfaces_;
 };
 

@@ -149,7 +149,8 @@ def test_auditwheel_has_nothing_to_add(repaired):
         assert not [name for name in archive.namelist() if ".libs/" in name]
     shown = subprocess.run([sys.executable, "-m", "auditwheel", "show", repaired], capture_output=True, text=True)
     assert re.search(r'is consistent with\s+the following\s+platform tag: "manylinux_', shown.stdout), shown.stdout + shown.stderr
-    assert repaired.stat().st_size < 3e6  # docs/python.md has the size
+    measured = "LLVM_PROFILE_FILE" in os.environ  # for coverage, by code that is twice as large
+    assert repaired.stat().st_size < 3e6 * (1 + measured)  # docs/python.md has the size
 
 
 def cpu_seconds_of_pip(python, arguments, env):
