@@ -157,7 +157,9 @@ def count_of(columns: Columns) -> str:
 
 def shown(value: float, digits: int = 4) -> str:
     """A number for people; "-" where there is none."""
-    return "-" if value != value else f"{value:.{digits}g}"
+    if value != value or not 1 <= abs(value) < 1e6:
+        return "-" if value != value else f"{value:.{digits}g}"
+    return f"{float(f'{value:.{digits}g}'):.{max(digits, 6)}g}"  # 570, not 5.7e+02, as the command writes it
 
 
 def with_unit(value: float, si: str, digits: int = 4, error: float = 0.0) -> str:
@@ -277,6 +279,8 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
         if low is not None and not np.all(np.isnan(low)):
             band = ax.vlines if np.size(at) == 1 else ax.fill_between
             band(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=8 if np.size(at) == 1 else 0)
+    if np.size(every[0]) and np.min(every[0]) == np.max(every[0]) > 0:
+        ax.set_xlim(every[0][0] * by_x / 2, every[0][0] * by_x * 2)
     name_ticks(ax)
     if any(line[0] for line in lines):
         ax.legend(fontsize="small")

@@ -87,7 +87,7 @@ OneContact make_contact(const std::string& law, Joint joint, const ProgressHook&
     if (JointFace& face = joint.face; face.peak_radius && face.peak_density && !face.skewness && !face.bearing)
         face.skewness = 0, face.kurtosis = 3;
     auto problem = std::make_shared<detail::Problem>(detail::problem_of(joint, {}));
-    if (named->has_peaks && problem->default_peaks)
+    if (named->has_peaks && problem->default_peaks && (has_radius || !joint.face.rms_gradient))
         throw domain_error(name + "r and theta" +
                            (joint.face.measured ? " of the surface: " + joint.face.measured->why_no_peaks : ""));
     (void)detail::possible_law(named->which, *problem);

@@ -120,12 +120,13 @@ def test_points_without_a_stiffness_and_concerns():
 def test_what_print_and_plot_show():
     one = fstiff.answer(height=0.8e-6, gradient=0.1, pressures=1e7, area=1e-4)
     assert one["stiffness_N_per_m"] == 1e-4 * one.stiffness and one.joint_stiffness.low == 1e-4 * one.low
-    assert f"{one.low * 1e-12:.2g}–{one.high * 1e-12:.2g}" in repr(one) and "1 point>" in repr(one)
+    assert "–".join(f"{float(f'{end * 1e-12:.2g}'):g}" for end in (one.low, one.high)) in repr(one) and "1 point>" in repr(one)
     many = fstiff.answer(height=np.array([0.4e-6, 0.8e-6, 1.6e-6]), gradient=0.1, pressures=PRESSURES)
     assert "joint" in repr(many) and "..." in repr(many)
     pytest.importorskip("matplotlib")
     axes = one.plot()
     assert axes.lines[0].get_marker() == "o" and len(axes.collections) == 1  # a band of one point
+    np.testing.assert_allclose(axes.get_xlim(), (5, 20))
 
 
 def test_heights_in_another_unit_are_warned_of_where_they_were_given():

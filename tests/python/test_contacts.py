@@ -379,17 +379,17 @@ def test_sigma_and_gradient_are_enough_for_the_laws_of_a_spectrum():
     modulus = 210e9 / (2 * (1 - 0.3**2))
     curves = fstiff.run(
         {
-            "material": {"upper": "steel"},
+            "material": {"upper": {"name": "steel", "hardness": "2 GPa"}},
             "surface": {"rms_height": "0.8 um", "rms_gradient": 0.1},
-            "contact": {"pressures": ["0.5 MPa", "2 MPa", "30 MPa"], "laws": ["hybrid", "persson"]},
+            "contact": {"pressures": ["0.5 MPa", "2 MPa", "30 MPa"], "laws": ["hybrid", "persson", "plastic"]},
             "output": {"quantities": ["stiffness"]},
             "uncertainty": {"samples": 0},
         }
     )
     of_surface = {"rms_height": "0.8 um", "rms_gradient": 0.1, "effective_modulus": modulus}
-    for law in ("hybrid", "persson"):
+    for law, hardness in (("hybrid", None), ("persson", None), ("plastic", 2e9)):
         of_law = curves["law"] == law
-        contact = fstiff.Contact(law, **of_surface)
+        contact = fstiff.Contact(law, hardness=hardness, **of_surface)
         found = contact.at_pressures(curves["pressure_Pa"][of_law], ["stiffness"]).stiffness
         np.testing.assert_allclose(found, curves["stiffness_Pa_per_m"][of_law], rtol=1e-14)
         assert pickle.loads(pickle.dumps(contact)).at_pressures(1e6) == contact.at_pressures(1e6)
