@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Spectra, peaks, generated surfaces, ultrasound, identification and export: of a file what the command prints, and of arrays the same."""
 
+import json
+
 import numpy as np
 import pytest
 
@@ -84,7 +86,9 @@ def test_ultrasound_is_that_of_the_command(command, root):
     assert wet["stiffness_Pa_per_m"] == pytest.approx(0.764e15, rel=1e-13)
     file = root / "data/example_reflection.csv"
     document = command.json("ultrasound", "--reflection", file, *STEEL)
-    assert_same(fstiff.ultrasound(reflection=file, frequency=7e6, impedance=46e6), document)
+    of_file = fstiff.ultrasound(reflection=file, frequency=7e6, impedance=46e6)
+    assert_same(of_file, document)
+    assert json.loads(of_file.to_json()) == document
     rows = document["rows"]
     columns = {key: [row[name] for row in rows] for key, name in
                (("pressure", "pressure_Pa"), ("reflection", "reflection"), ("error", "reflection_error"))}  # fmt: skip
