@@ -275,10 +275,10 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
     every: list[Any] = [np.concatenate([np.ravel(line[i]) for line in lines]) if lines else [] for i in (1, 2)]
     by_x, by_y = label_axes(ax, x, y, *every)
     for label, at, values, low, high in lines:
-        (line,) = ax.plot(at * by_x, values * by_y, label=label or None, marker="o" if np.size(at) == 1 else None)
+        (draw_band, width, marker) = (ax.vlines, 8, "o") if np.size(at) == 1 else (ax.fill_between, 0, None)
+        (line,) = ax.plot(at * by_x, values * by_y, label=label or None, marker=marker)
         if low is not None and not np.all(np.isnan(low)):
-            band = ax.vlines if np.size(at) == 1 else ax.fill_between
-            band(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=8 if np.size(at) == 1 else 0)
+            draw_band(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=width)
     if np.size(every[0]) and np.min(every[0]) == np.max(every[0]) > 0:
         ax.set_xlim(every[0][0] * by_x / 2, every[0][0] * by_x * 2)
     name_ticks(ax)

@@ -310,9 +310,10 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     fits.warnings = scene.warnings;
     fits.warnings.insert(fits.warnings.end(), curve.warnings.begin(), curve.warnings.end());
     if (fits.wave) {
-        const double film = fits.wave->film_stiffness, welded = detail::welded_reflection(fits.wave->media);
-        const double alone = film > 0 ? reflection(film, fits.wave->media, fits.wave->angular_frequency) : 1;
-        if (const std::string beyond = beyond_reach(curve, welded, alone); !beyond.empty())
+        const auto& [media, omega, ratio, film] = *fits.wave;
+        const std::string beyond =
+            beyond_reach(curve, detail::welded_reflection(media), reflection(film, media, omega));
+        if (!beyond.empty())
             fits.warnings.push_back(beyond + ": no K gives it; the rows count by their distance from the model");
     }
     require_known(scene, request);

@@ -22,11 +22,10 @@ namespace {
 /// "sigma, g and E", in the order of --fit.
 std::string names_of(const std::vector<Parameter>& parameters) {
     std::string text;
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-        text.append(i == 0                       ? ""
-                    : i + 1 == parameters.size() ? " and "
-                                                 : ", ")
-            .append(detail::row_of(parameters[i]).short_name);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const char* const between = i == 0 ? "" : i + 1 == parameters.size() ? " and " : ", ";
+        text.append(between).append(detail::row_of(parameters[i]).short_name);
+    }
     return text;
 }
 

@@ -292,19 +292,18 @@ std::string summary(const Scene& scene, const Results& results) {
 }  // namespace run_text
 
 std::string in_lines(const InputLine& line) {
-    constexpr std::size_t widest = run_text::widest;
     const std::vector<std::string>& parts = line.parts;
     std::string text = "  " + line.label + std::string(10 - line.label.size(), ' ');
     const std::string below(text.size(), ' ');
     if (parts.size() == 1) {  // a sentence
-        const std::vector<std::string> lines = document::wrapped(parts.front(), widest - below.size());
+        const std::vector<std::string> lines = document::wrapped(parts.front(), run_text::widest - below.size());
         for (std::size_t i = 0; i < lines.size(); ++i) text += (i > 0 ? below : "") + lines[i] + "\n";
         return text;
     }
     std::size_t used = below.size();
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::size_t size = document::shown_width(parts[i]) + 2;
-        if (i > 0 && used + size > widest) {
+        if (i > 0 && used + size > run_text::widest) {
             text.back() = '\n';
             text += below;
             used = below.size();

@@ -52,6 +52,9 @@ struct Faults {
     }
 };
 
+/// Whether a stiffness reflects \p R.
+bool is_reached(double R, double welded, double film_alone) { return R > welded && R < film_alone; }
+
 /// On an R within two of its errors of where K has no value, \p where.
 std::string near_the_end(const std::string& most, const std::string& where) {
     return "R is within two errors of " + most + " or of the welded joint" + where +
@@ -73,8 +76,7 @@ void convert(const ReflectionRequest& request, MeasuredCurve measured, Reflectio
     for (const MeasuredPoint& point : curve.points) {
         const double error = curve.has_errors ? point.error : request.reflection_error.value_or(0);
         if (curve.has_errors || request.reflection_error) converted.errors.push_back(error);
-        if (!(point.value > reflection.welded &&
-              point.value < reflection.film_alone)) {  // what noise makes of light loads, or of heavy ones
+        if (!is_reached(point.value, reflection.welded, reflection.film_alone)) {  // noise, of light or heavy loads
             converted.stiffness.emplace_back();
             continue;
         }
@@ -202,7 +204,7 @@ void add_one(document::Document& document, const Reflection& reflection) {
 std::string beyond_reach(const MeasuredCurve& curve, double welded, double film_alone) {
     Faults beyond;
     for (const MeasuredPoint& point : curve.points)
-        if (!(point.value > welded && point.value < film_alone)) beyond.add(point.line);
+        if (!is_reached(point.value, welded, film_alone)) beyond.add(point.line);
     return beyond.count == 0 ? ""
                              : "R is not between that of the welded joint, " + document::rounded(welded) + ", and " +
                                    most_of(film_alone) + beyond.in(curve);

@@ -9,7 +9,6 @@
 #include "actions/results.hpp"
 #include "sweep/grid.hpp"
 
-#include <array>
 #include <functional>
 #include <future>
 #include <list>
