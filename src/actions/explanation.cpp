@@ -35,8 +35,8 @@ std::string_view words_of(Cause cause) {
 }
 
 /// Whether yielded peaks change no K by more than a hundredth.
-bool is_nearly_elastic(const Scene& scene, const StiffnessAnswer& answer) {
-    bool nearly = answer.flows && !scene.hardness_range;  // it may be softer
+bool is_nearly_elastic(const StiffnessAnswer& answer) {
+    bool nearly = answer.flows;
     for (std::size_t i = 0; i < answer.reasons.size(); ++i)
         nearly =
             nearly && answer.reasons[i].loading_stiffness.value_or(0) > 0.99 * answer.curve.states[i].stiffness.value;
@@ -51,7 +51,7 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
     const bool loads =
         std::any_of(answer.reasons.begin(), answer.reasons.end(),
                     [](const detail::AnswerReason& reason) { return reason.loading_stiffness.has_value(); });
-    if (is_nearly_elastic(scene, answer))
+    if (is_nearly_elastic(answer))
         return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves."};
     if (answer.flows)
         return {"The peaks yield at first loading" + number + ": K is the unloading stiffness.",
@@ -62,6 +62,16 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
         return {
             "The gradient of the surface is not known, so K is elastic; where peaks yield K for vibration is higher."};
     return {"The bodies never yield, so K is elastic: the same for loading, vibration and waves."};
+}
+
+/// Why a measured map is not solved; empty where it is, or there is none.
+std::string instead_of_map(const Scene& scene) {
+    for (const detail::Face* face : measured_faces(scene)) {
+        if (face->measured->is_profile) continue;
+        if (!face->map) return "the JSON of fstiff measure does not contain them; give the file of the map";
+        if (!face->instead_of_map.empty()) return "a " + std::string(face->instead_of_map) + " is given in their place";
+    }
+    return "";
 }
 
 /// Source of K beyond the names of the laws; may be empty.
@@ -75,6 +85,8 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     std::string text;
     if (!missing.empty())
         text = "K is computed from the map's numbers: " + missing;
+    else if (const std::string given = instead_of_map(scene); !given.empty())
+        text = "K is computed from numbers, not from the heights of the map: " + given;
     else if (count > 0)
         text = "Boundary elements solve " +
                (map->maps.size() == 1 ? "the map itself"
@@ -182,7 +194,7 @@ Explanation explanation(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     Explanation text{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) text.sentences.push_back(std::move(source));
-    text.shorter = {is_nearly_elastic(scene, answer) ? std::string("The contact is nearly elastic.")
+    text.shorter = {is_nearly_elastic(answer) ? std::string("The contact is nearly elastic.")
                     : answer.flows                   ? "The peaks yield: K is that of unloading."
                     : !answer.relative_hardness      ? "Taken as elastic."
                                                      : "K is that of an elastic contact; peaks may yield."};

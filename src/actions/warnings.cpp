@@ -172,6 +172,9 @@ void add_warnings(const scene::Scene& scene, Results& results) {
         results.warnings.push_back(results.answer && results.answer->of_map_itself
                                        ? "sigma is not known to a factor of two: K is that of this map alone"
                                        : "sigma is not known to a factor of two, so K and its band are doubtful");
+    if (std::count(unknown.begin(), unknown.end(), Parameter::rms_gradient) > 0)
+        results.warnings.push_back(
+            "the rms gradient is not known to a factor of two, so K and its band are doubtful where it counts");
     const std::size_t before = results.warnings.size();
     for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
     const double noise =

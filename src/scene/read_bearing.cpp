@@ -30,7 +30,7 @@ void read_shape(Source& source, const Section& surface, JointFace& face) {
     const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
     if (!(std::abs(skewness) <= detail::most_skewness<double>))
         source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
-    const double least = detail::least_kurtosis(skewness);
+    const double least = skewness * skewness + 1;
     if (!(kurtosis >= least && kurtosis <= detail::most_kurtosis<double>))
         source.refuse(
             *surface.find("kurtosis"), surface.key("kurtosis"),

@@ -107,6 +107,17 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
             throw domain_error(name + ": moments: must be greater than 0, and needs surface.rms_gradient");
         surface.rms_gradient = surface.heights->rms_gradient;
     }
+    if (const auto waves = document.find("all_waves"); waves != document.end() && surface.heights) {
+        const auto number = [&](const char* key) {
+            const double value = number_of(*waves, key, name + ": all_waves");
+            if (!(value >= 0)) throw domain_error(name + ": all_waves." + key + ": must not be negative");
+            return value;
+        };
+        surface.all_waves = HeightStatistics<double>{.rms_gradient = {number("rms_gradient"), number("rms_gradient_error")},
+                                                     .moments = {number("m0_m2"), number("m2"), number("m4_per_m2")}};
+        if (!(surface.all_waves->moments.bandwidth() > 0 && surface.all_waves->rms_gradient.value > 0))
+            throw domain_error(name + ": all_waves: must be greater than 0");
+    }
     return surface;
 }
 

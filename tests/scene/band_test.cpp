@@ -2,7 +2,15 @@
 // The band of K of a measured surface: its errors, and the spread over lambda_s.
 #include "support/library.hpp"
 
+#include <fstiff/answer/answer.hpp>
+#include <fstiff/synthetic/self_affine.hpp>
+
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
 
 namespace band_test {
 
@@ -73,9 +81,8 @@ TEST_CASE("Keys written in a scene hold for every lambda_s") {
 
 TEST_CASE("The ends of a band at separations are K of surfaces that are so much taller") {
     const auto of = [](double taller, const std::string& contact) {
-        const auto times = [taller](double value) { return std::to_string(value * taller); };
-        return test::results_of("[surface]\nrms_height = \"" + times(500) + " nm\"\nrms_gradient = " + times(0.1) +
-                                "\nalpha = 10\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n"
+        return test::results_of("[surface]\nrms_height = \"" + std::to_string(500 * taller) +
+                                " nm\"\nrms_gradient = 0.1\nalpha = 10\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n"
                                 "[surface.errors]\nrms_height = \"50 nm\"\n[material.upper]\n"
                                 "youngs_modulus = \"210 GPa\"\npoisson_ratio = 0.3\nhardness = \"3 GPa\"\n[contact]\n" +
                                 contact);
@@ -96,6 +103,74 @@ TEST_CASE("The ends of a band at separations are K of surfaces that are so much 
             CHECK(std::abs(ends.low / low.curves[c].states[i].stiffness.value - 1) < 1.2e-3);
             CHECK(std::abs(ends.high / high.curves[c].states[i].stiffness.value - 1) < 1.2e-3);
         }
+}
+
+TEST_CASE("The band of a height with an error holds K one error above and below it, by every law") {
+    // `rest_of_surface`: what is written, and what is assumed of it, which K of the other heights has alike
+    for (const std::string surface :
+         {"rms_gradient = 0.12\nalpha = 8\nhurst = 0.8\nfractal_dimension = 1.2\n", "RSm = \"60 um\"\n", "",
+          "peak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\nfractal_dimension = 1.3\n"})
+        for (const std::string hardness : {"\"20 GPa\"", "\"1 GPa\"", "\"0.3 GPa\""}) {
+            const auto of = [&](const std::string& height, const std::string& errors) {
+                std::string laws = "\"hybrid\", \"persson\", \"plastic\", \"greenwood_williamson\", \"hertz\", "
+                                   "\"plastic_peaks\", \"jackson_green\", \"kogut_etsion\", \"proportional\"";
+                if (surface.find("dimension") != std::string::npos) laws += ", \"fractal\", \"fractal_consistent\"";
+                return test::results_of("[surface]\nrms_height = \"" + height + "\"\n" + surface +
+                                        "skewness = 0\nkurtosis = 3\n" + errors +
+                                        "[material.upper]\nname = \"steel\"\nhardness = " + hardness +
+                                        "\nyield_strength = \"0.35 GPa\"\n[contact]\npressures = [\"10 MPa\"]\n"
+                                        "theta = [\"45 deg\"]\nlaws = [" +
+                                        laws + "]\n");
+            };
+            const auto whole = of("0.8 um", "errors = { rms_height = \"0.4 um\" }\n"), less = of("0.4 um", ""),
+                       more = of("1.2 um", "");
+            REQUIRE(whole.curves.size() >= 9);
+            for (std::size_t c = 0; c < whole.curves.size(); ++c) {
+                CAPTURE(surface, hardness, fstiff::actions::title(whole.curves[c]));
+                for (const auto* other : {&less, &more}) {
+                    const double K = other->curves[c].states[0].stiffness.value;
+                    CHECK(whole.curves[c].band[0].low < K);
+                    CHECK(whole.curves[c].band[0].high > K);
+                }
+            }
+            // of the answer too, and its largest cause is then the measurement
+            const auto& answer = *whole.answer;
+            for (const auto* other : {&less, &more}) {
+                CHECK(answer.curve.band[0].low < other->answer->curve.states[0].stiffness.value);
+                CHECK(answer.curve.band[0].high > other->answer->curve.states[0].stiffness.value);
+            }
+            if (surface.starts_with("rms_gradient"))
+                CHECK(fstiff::shares_of(answer.reasons[0].causes)[std::size_t(fstiff::Cause::measurement)] > 0.5);
+        }
+}
+
+TEST_CASE("The band of 1 mm of a trace of a hard or a soft steel holds K of the 16 mm that it was cut from") {
+    using namespace fstiff;
+    for (const double hardness : {std::numeric_limits<double>::infinity(), 1e9}) {
+        int held = 0, pieces = 0;
+        for (const double longest : {2e-3, 0.7e-3})
+            for (const std::uint64_t seed : {1, 2}) {
+                const auto whole = self_affine_profile<double>(
+                    {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = longest, .seed = seed}, 32768, 0.5e-6);
+                const auto stiffness = [&](const Profile<double>& trace) {
+                    MeasureOptions<double> how;
+                    how.lambda_s = CutOff<double>::of(2.5e-6);
+                    const auto measured = std::make_shared<const Surface<double>>(measure(trace, how));
+                    const Body steel{.elastic = {205e9, 0.3}, .hardness = hardness};
+                    return answer({.face = {.measured = measured}, .upper = steel, .lower = steel}, std::array{5e6})
+                        .points[0]
+                        .stiffness;
+                };
+                const double truth = stiffness(whole).value;
+                for (std::size_t i = 0; i < whole.heights.size(); i += 4096, ++pieces) {
+                    const auto from = whole.heights.begin() + static_cast<std::ptrdiff_t>(i);
+                    const Banded of_piece = stiffness({{from, from + 2048}, 0.5e-6});
+                    held += of_piece.low <= truth && truth <= of_piece.high;
+                }
+            }
+        CAPTURE(hardness, held, pieces);
+        CHECK(10 * held >= 9 * pieces);  // the band is one of 90 %
+    }
 }
 
 }  // namespace band_test

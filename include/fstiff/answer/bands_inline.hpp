@@ -56,10 +56,8 @@ FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, det
     face.draw(drawn);
     const double taller = face.parameters.rms_height.value / rms_height;
     if (face.rms_gradient) {
-        const double steeper = further.steeper;
-        *face.rms_gradient *= taller * steeper;
-        if (face.radius_follows) face.parameters.peak_radius.value /= steeper * steeper;
-        if (face.density_follows) face.parameters.peak_density.value *= steeper * steeper;
+        *face.rms_gradient *= further.steeper * std::pow(taller, face.gradient_growth);
+        face.follow();
     }
     if (face.map) {
         MapOfSurface map{{},
@@ -83,6 +81,13 @@ FSTIFF_INLINE Problem with_face(Problem problem, const Face& face) {
         if (peaks.of_surface && face.has_peaks())
             peaks.r = face.value(Parameter::r), peaks.theta = *face.value(Parameter::theta);
     return problem;
+}
+
+/// \p face with the waves of its own that went with the form, as far as its long waves show there may be.
+FSTIFF_INLINE Face with_form(Face face) {
+    face.parameters.rms_height.value *= std::hypot(1.0, face.parameters.long_end.form_share);
+    face.neighbours.clear();
+    return face;
 }
 
 /// K at the points of \p request, of which there are many, by a polynomial through ln K at some over ln p or d, in
@@ -251,6 +256,8 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
         of_neighbours.push_back(stiffnesses(with_face(lean, face), request));
         if (of_neighbours.back().size() != quick.size()) of_neighbours.pop_back();  // no map, or no D: other curves
     }
+    if (const Face& face = problem.face; face.parameters.long_end.form_share > 0 && !(face.map && face.spectrum_of_map))
+        of_neighbours.push_back(stiffnesses(with_face(lean, with_form(face)), request));
     const auto of_windows = behind_other_windows(lean, request);
     const bool lay = has_lay(problem);
     std::size_t failed = 0, next = 0;

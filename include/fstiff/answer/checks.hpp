@@ -94,12 +94,13 @@ enum class Concern {
     missing_points,          ///< of a map, whose numbers answer in its place
     beyond_comparison,       ///< law plastic nearer to the hardness than any comparison of it
     no_state,                ///< the law does not reach a point
-    noise                    ///< of the instrument in a map, above 5 % of its rms height
+    noise,                   ///< of the instrument in a map, above 5 % of its rms height
+    unknown_gradient         ///< the rms gradient is not known to a factor of two
 };
 
 /// The word of \p concern, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(Concern concern) {
-    constexpr std::array<std::string_view, 16> names{"plasticity",
+    constexpr std::array<std::string_view, 17> names{"plasticity",
                                                      "gaussian_surface",
                                                      "interacting_asperities",
                                                      "mean_planes_crossed",
@@ -114,7 +115,8 @@ enum class Concern {
                                                      "missing_points",
                                                      "beyond_comparison",
                                                      "no_state",
-                                                     "noise"};
+                                                     "noise",
+                                                     "unknown_gradient"};
     return names[static_cast<std::size_t>(concern)];
 }
 

@@ -17,12 +17,10 @@
 namespace fstiff::inline v0_1::detail {
 
 FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, bool of_answer) {
-    std::vector<Parameter> parameters;
     const auto measured = measured_faces(problem);
-    if (problem.face.measured)
-        parameters = detail::unknown_parameters(*problem.face.measured, problem.face.parameters);
-    else if (!measured.empty())  // of a sum: what is unknown of one face may not matter next to the other
-        parameters = detail::unknown_parameters(problem.face.parameters);
+    std::vector<Parameter> parameters =  // of a sum: what is unknown of one face may not matter next to the other
+        problem.face.measured ? detail::unknown_parameters(*problem.face.measured, problem.face.parameters)
+                              : detail::unknown_parameters(problem.face.parameters);
     if (parameters.empty() && problem.faces.size() == 2)
         for (const Face* face : measured) {
             const double share = face->parameters.rms_height.value / problem.face.parameters.rms_height.value;
@@ -31,6 +29,8 @@ FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, 
                 parameters = {Parameter::rms_height};
         }
     if (of_answer) std::erase_if(parameters, [](Parameter parameter) { return parameter != Parameter::rms_height; });
+    if (const auto& gradient = problem.face.rms_gradient; gradient && problem.face.gradient_error > *gradient / 2)
+        parameters.push_back(Parameter::rms_gradient);
     return parameters;
 }
 
@@ -64,7 +64,10 @@ FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, con
             break;
         }
     const Measurement<double>& height = problem.face.parameters.rms_height;
-    if (!unknown_parameters(problem, true).empty()) add(Concern::unknown_height, height.error / height.value, 0.5);
+    for (const Parameter unknown : unknown_parameters(problem, true))
+        unknown == Parameter::rms_height
+            ? add(Concern::unknown_height, height.error / height.value, 0.5)
+            : add(Concern::unknown_gradient, problem.face.gradient_error / *problem.face.rms_gradient, 0.5);
     if (has_lay(problem)) add(Concern::lay, detail::lay_factor, 1);
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         add(Concern::missing_points, static_cast<double>(missing_points(*problem.face.map)), 0);
@@ -170,6 +173,7 @@ FSTIFF_INLINE void fill_spectrum(Face& face) {
     const Roughness<double> peaks = face.roughness();
     const auto set_gradient = [&](const PriorRange& range, Origin origin) {
         face.rms_gradient = range.middle;
+        face.gradient_growth = origin == Origin::islands ? growth_of_islands : growth_of_height;
         face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
     };
     if (!face.rms_gradient && !face.alpha && has_radius && has_density) {

@@ -146,7 +146,8 @@ enum class BandEnd { low, value, high };
 
 namespace fstiff::inline v0_1::detail {
 
-/// The measured parameters of \p problem on which no result can rest; an answer rests on the rms height alone.
+/// The parameters of \p problem on which no result can rest, because they are not known to a factor of two; an answer
+/// rests on the rms height and the gradient alone.
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const Problem& problem, bool of_answer);
 /// How far the states of \p curve by law plastic are beyond all that it was compared with; none: not at all.
 [[nodiscard]] std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve);

@@ -35,7 +35,7 @@ FSTIFF_INLINE bool is_map_itself(const Problem& problem) {
            (!problem.nominal_area || *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area());
 }
 
-/// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not
+/// The area [m^2] on which contacts are counted, and whose waves K has: the nominal one, else a square as long as what was measured; 0: not
 /// known.
 FSTIFF_INLINE double counted_area(const Problem& problem) {
     return problem.nominal_area ? *problem.nominal_area : std::pow(measured_side(problem), 2);
@@ -148,6 +148,37 @@ FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size
     if (!curve.seated.empty() && to.seated) curve.seated[i] = std::lerp(curve.seated[i], *to.seated, to.weight);
 }
 
+/// ln of the upper end that the error of a law alone gives, at a pressure and the greatest below it.
+struct LightEnd {
+    double pressure, log_high;
+};
+
+/// These of \p law at light loads, in the order of the pressures: its error grows towards them, of bounded heights
+/// faster than K falls, but what K is not above under more pressure it is not above under less. None of a map.
+FSTIFF_INLINE std::vector<LightEnd> light_ends(const Problem& problem, const LawCurve& curve) {
+    std::vector<LightEnd> ends;
+    if (is_map(problem.face) || !curve.rms_gradient) return ends;
+    constexpr int count = 48, a_decade = 8;
+    const double closing = problem.effective_modulus * *curve.rms_gradient;
+    std::vector<double> pressures;
+    for (int k = count; k >= 0; --k)
+        pressures.push_back(law_error_pressures.front() * std::pow(10.0, -double(k) / a_decade) * closing);
+    const auto is_light = [&](const auto& state) { return state.pressure.value < 4 * pressures.back(); };
+    if (std::none_of(curve.states.begin(), curve.states.end(), is_light)) return ends;
+    for_each_contact(problem, {curve.law}, {}, [&](const ContactOfLaw& recipe) {
+        const auto points = recipe.make()->at_pressures(pressures, Quantity::stiffness);
+        double greatest = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!points[i].ok()) continue;
+            const AnswerReason reason{.p_star = pressures[i] / closing};
+            const double high = law_error(problem, curve.law->which, reason).high;
+            greatest = (std::max)(greatest, std::log(points[i].state.stiffness.value) + high);
+            ends.push_back({pressures[i], greatest});
+        }
+    });
+    return ends;
+}
+
 /// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
 /// of the grid, are known to their own size alone.
 FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& states,
@@ -169,9 +200,8 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
     facts.flows = flows(problem, *curve.law);
     facts.of_map_itself = is_map_itself(problem);
     const double area = counted_area(problem);
-    UnmeasuredWaves<double> longer;
-    if (problem.nominal_area) longer = problem.face.unmeasured(std::sqrt(*problem.nominal_area));
-    facts.waves_at_least = longer.at_least;
+    const UnmeasuredWaves<double> longer = problem.face.unmeasured(std::sqrt(area));
+    facts.waves_at_least = longer.at_least && problem.nominal_area.has_value();
     const std::vector<Solved> of_place = boundary_elements_of(problem, request, facts.flows, curve, progress);
     for (const auto& state : curve.states) {
         AnswerReason& reason = facts.reasons.emplace_back();
@@ -180,6 +210,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
                 detail::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient);
         if (const double contacts = area * state.contact_density.value; contacts > 0) reason.contacts = contacts;
     }
+    const std::vector<LightEnd> light = light_ends(problem, curve);
     std::vector<SampledBand<double>> bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];
@@ -193,7 +224,11 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         if (reason.contacts && !facts.of_map_itself)
             put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
         put(Cause::long_waves, {-longer.growth, 0});
-        put(Cause::law, law_error(problem, curve.law->which, reason, 0));
+        CauseSpread<double> of_law = law_error(problem, curve.law->which, reason);
+        for (const auto& [pressure, log_high] : light)
+            if (pressure < curve.states[i].pressure.value)
+                of_law.high = (std::max)(of_law.high, log_high - std::log(curve.states[i].stiffness.value));
+        put(Cause::law, of_law);
         const Solved& solved = of_place[curve.places[i]];
         if (solved.weight > 0) hand_over(problem, solved, i, curve, reason);
         if (facts.of_map_itself && problem.face.map->maps.size() > 1)

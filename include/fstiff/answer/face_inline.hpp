@@ -103,8 +103,9 @@ FSTIFF_INLINE void Face::set_shape(const HeightShape<double>& height_shape) {
 FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r) {
     using enum ImplausibleGradient::Source;
     std::vector<ImplausibleGradient> gradients;
-    const bool as_measured = face.measured && face.measured->heights && face.rms_gradient &&
-                             face.measured->rms_gradient.value == *face.rms_gradient;
+    const auto is_own = [&](const auto& waves) { return waves && waves->rms_gradient.value == *face.rms_gradient; };
+    const bool as_measured = face.measured && face.rms_gradient &&
+                             (is_own(face.measured->heights) || is_own(face.measured->all_waves));
     if (face.has_own_gradient()) gradients.push_back({as_measured ? measured : given, *face.rms_gradient});
     if (face.has_radius_and_density() && !is_as_measured(face)) {
         const auto [of_density, of_height] = detail::implied_gradients(face.roughness(), r);
@@ -215,8 +216,10 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& surface,
     face.lambda_s = surface.cut_offs.lambda_s;
     face.heights = surface.heights;
     if (surface.heights) {
-        face.rms_gradient = surface.rms_gradient.value;
-        face.alpha = surface.heights->moments.bandwidth();
+        const HeightStatistics<double>& waves = surface.all_waves ? *surface.all_waves : *surface.heights;
+        face.rms_gradient = waves.rms_gradient.value;
+        face.gradient_error = waves.rms_gradient.error;
+        face.alpha = waves.moments.bandwidth();
         face.set_shape(detail::counted_shape(*surface.heights, surface.shape_share));
     }
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
@@ -231,8 +234,9 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& surface,
     const bool has_all_waves = surface.cut_offs.why_s == LambdaSReason::by_table;  // K does not depend on lambda_s
     for (const Surface<double>& neighbour : surface.neighbours) {
         face.neighbours.push_back(face_as_found(neighbour, has_all_waves ? face.map : nullptr));
-        SurfaceParameters<double>& other = face.neighbours.back().parameters;
-        if (!other.r) other.r = face.parameters.r, other.theta = face.parameters.theta;
+        Face& other = face.neighbours.back();
+        if (!other.has_peaks()) other.parameters.r = face.parameters.r, other.parameters.theta = face.parameters.theta;
+        if (surface.all_waves) other.rms_gradient = face.rms_gradient, other.alpha = face.alpha;
     }
     return face;
 }
@@ -254,6 +258,7 @@ FSTIFF_INLINE Face sum_with(const Face& upper, const Face& lower, const Spectral
         face.gradient_error =
             std::hypot(std::sqrt(2 * a.m2) * upper.gradient_error, std::sqrt(2 * b.m2) * lower.gradient_error) /
             *face.rms_gradient;
+        face.gradient_growth = (a.m2 * upper.gradient_growth + b.m2 * lower.gradient_growth) / sum.m2;
     }
     face.gradient_of_islands = upper.gradient_of_islands || lower.gradient_of_islands;
     if (upper.alpha || lower.alpha) face.alpha = sum.bandwidth();

@@ -22,6 +22,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // A rough face as the contact sees it, and two of them as one.
@@ -61,13 +62,15 @@ struct ImplausibleGradient {
 struct Face {
     SurfaceParameters<double> parameters;              ///< with their errors; without fits and islands
     std::optional<double> rms_gradient, alpha, hurst;  ///< written, or measured; alpha is Nayak's m0 m4/m2^2
-    double gradient_error = 0;  ///< standard error of rms_gradient that is independent of all others
+    double gradient_error = 0;   ///< standard error of rms_gradient that is independent of all others
+    double gradient_growth = 0;  ///< d ln g/d ln sigma of an rms_gradient that was assumed from the height; 0: known
     double widest_band = std::numeric_limits<double>::infinity();  ///< greatest wave number over the least, as measured
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of the moments that the other numbers make
     bool gradient_of_islands = false;  ///< rms_gradient is that of R and D_p, which no Gaussian surface has
     Process process = Process::unknown;
     std::vector<Prior> priors;                            ///< none of what is known; of a sum those of both faces
     bool spectrum_of_map = true;                          ///< [persson] spectrum = "map", where there is one
+    std::string_view instead_of_map{};                    ///< the number that was given in place of those of the map
     std::shared_ptr<const MapOfSurface> map;              ///< where the surface was measured as a map
     std::optional<HeightStatistics<double>> heights;      ///< where the surface was measured
     HeightShape<double> shape;                            ///< of the heights, given or as far as a measured one counts

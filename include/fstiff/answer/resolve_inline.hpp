@@ -68,6 +68,11 @@ FSTIFF_INLINE void require_numbers(const JointFace& spec) {
     if (spec.skewness.has_value() != spec.kurtosis.has_value())
         throw domain_error("skewness: must be given with kurtosis, and kurtosis with it");
     if (spec.skewness && spec.bearing) throw domain_error("bearing: must not be given with skewness");
+    if (!spec.skewness) return;
+    const double least = *spec.skewness * *spec.skewness + 1;  // of any distribution
+    require(std::abs(*spec.skewness) <= most_skewness<double>, "skewness", *spec.skewness, "from -3 to 3");
+    require(*spec.kurtosis >= least && *spec.kurtosis <= most_kurtosis<double>, "kurtosis", *spec.kurtosis,
+            "from skewness^2 + 1, here " + rounded_text(least, 3) + ", to 100");
 }
 
 /// \throws domain_error for an error out of range, or of a number that is not there.
@@ -88,7 +93,10 @@ FSTIFF_INLINE void require_errors(const JointFace& spec, const Face& face) {
 
 /// A gradient of the range \p range, which is from \p origin.
 FSTIFF_INLINE void take_gradient(const PriorRange& range, Origin origin, Face& face) {
-    face.write([&](Face& f) { f.rms_gradient = range.middle; });
+    face.write([&](Face& f) {
+        f.rms_gradient = range.middle, f.gradient_error = 0;
+        f.gradient_growth = origin == Origin::spacing ? growth_of_spacing : 0;
+    });
     if (range.low < range.high) face.priors.push_back({Unknown::gradient, range.low, range.high, origin, range});
 }
 
@@ -137,7 +145,7 @@ FSTIFF_INLINE void take_errors(const JointFace& spec, Face& face) {
 /// The shape of the heights of \p spec: of a bearing curve that belongs to its height.
 FSTIFF_INLINE void take_shape(const JointFace& spec, Face& face) {
     if (spec.skewness) {
-        const HeightShape<double> shape{*spec.skewness, *spec.kurtosis};
+        const HeightShape<double> shape{*spec.skewness, (std::max)(*spec.kurtosis, least_kurtosis(*spec.skewness))};
         return face.write([&](Face& f) { f.set_shape(shape); });
     }
     if (!spec.bearing) return;
@@ -154,6 +162,13 @@ FSTIFF_INLINE void take_shape(const JointFace& spec, Face& face) {
     face.write([&](Face& f) { f.shape = shape, f.bearing = of_rms; });
 }
 
+/// The number of \p spec that a map has itself, so that it cannot be used next to it; empty: none.
+FSTIFF_INLINE std::string_view instead_of_map(const JointFace& spec) {
+    if (spec.rms_height || spec.mean_height) return "rms_height";
+    if (spec.rms_gradient || spec.profile_gradient || spec.profile_spacing) return "rms_gradient";
+    return spec.skewness ? "skewness" : spec.bearing ? "bearing curve" : "";
+}
+
 FSTIFF_INLINE Face face_of(const JointFace& spec) {
     require_numbers(spec);
     Face face;
@@ -165,9 +180,8 @@ FSTIFF_INLINE Face face_of(const JointFace& spec) {
     };
     put(spec.alpha, &Face::alpha), put(spec.hurst, &Face::hurst);
     const bool has_shape = spec.skewness || spec.bearing;
-    if (spec.rms_height || spec.mean_height || spec.rms_gradient || spec.profile_gradient || spec.profile_spacing ||
-        spec.alpha || spec.hurst || spec.peak_radius || spec.peak_density || has_shape)
-        face.write([](Face& f) { f.spectrum_of_map = f.spectrum_of_map && !f.map; });
+    if (const std::string_view number = instead_of_map(spec); face.map && !number.empty())
+        face.write([&](Face& f) { f.spectrum_of_map = false, f.instead_of_map = number; });
     if (spec.fractal_dimension) face.write([](Face& f) { f.parameters.dimension_window_error = 0; });
     for (const auto& [parameter, value, error] : given_parameters)
         if (spec.*value) face.write(parameter, *(spec.*value));

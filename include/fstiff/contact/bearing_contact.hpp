@@ -21,6 +21,7 @@
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/math/quadrature.hpp>
+#include <fstiff/math/root.hpp>
 #include <fstiff/peaks/quantity.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 
@@ -146,19 +147,24 @@ public:
     [[nodiscard]] T local_scale(T pressure) const {
         detail::require_positive("pressure", pressure);
         if (!bearing_) return factor_;
-        T log_rho = 0;
-        const auto change = [&] {
+        const auto missing = [&](T log_rho) {  // of ln rho; falls as it rises
             const T p = pressure / factor_ * std::exp(-log_rho), P = gaussian_.real_area_fraction(p);
             const T center = bearing_->separation(p) + T(0.2) - T(0.3) * P, width = std::sqrt(T(0.25) + P * P);
-            return (std::log(bearing_->curve.slope(center, width) / bearing_->rms_height) - log_rho) / 2;
+            return std::log(bearing_->curve.slope(center, width) / bearing_->rms_height) - log_rho;
         };
-        for (int round = 0; round < 50; ++round) {  // every other one to where a geometric series would end (Aitken)
-            const T first = change();
+        T log_rho = 0;
+        for (int round = 0; round < 16; ++round) {  // every other one to where a geometric series would end (Aitken)
+            const T first = missing(log_rho) / 2;
             log_rho += first;
-            if (std::abs(first) < scale_tolerance) break;
-            const T second = change(), ratio = second / first;
+            if (std::abs(first) < scale_tolerance) return factor_ * std::exp(log_rho);
+            const T second = missing(log_rho) / 2, ratio = second / first;
             log_rho += std::abs(ratio) < T(0.9) ? second / (1 - ratio) : second;
         }
+        const auto residual = [&](T x) {  // of a curve with a step, over which the rounds leap to and fro
+            const T apart = T(1e-4), value = missing(x);
+            return std::pair(value, (missing(x + apart) - value) / apart);
+        };
+        log_rho = math::newton_bracketed(residual, T(-60), T(60), T(0), scale_tolerance).root;
         return factor_ * std::exp(log_rho);
     }
 

@@ -32,6 +32,9 @@ template <Real T = double>
 struct Surface : SurfaceParameters<T> {
     Measurement<T> rms_gradient{};                 ///< [1]; error 0: too few points for one
     std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
+    /// Of a map before the lambda_s of the tables, which K of it does not take; none of a profile, of a lambda_s that was
+    /// given, and after a robust filter.
+    std::optional<HeightStatistics<T>> all_waves{};
     T shape_share{};  ///< 0 to 1: factor of skewness and of kurtosis - 3 in a hybrid contact (counted_shape)
     CutOffs<T> cut_offs{};
     std::vector<MeasuredConcern> concerns{};
@@ -39,7 +42,7 @@ struct Surface : SurfaceParameters<T> {
     bool is_profile = false;  ///< measured by profiles, not by maps
     T size{};                 ///< of the points that exist: length of the profile [m], area of the map [m^2]
     /// Ratio of the largest to the smallest wave number of the surface: from its length, or lambda_c, to two steps, or
-    /// lambda_s.
+    /// the lambda_s that K takes.
     T widest_band = std::numeric_limits<T>::infinity();
     std::shared_ptr<const PreparedProfile<T>> profile{};  ///< the measured profile; null for a map
     std::shared_ptr<const PreparedMap<T>> map{};          ///< null for a profile, and for a neighbour without keep_maps
@@ -247,12 +250,16 @@ template <Real T>
     };
     Surface<T> surface = surface_of(prepared->cut_offs, static_cast<T>(prepared->areal.rms_gradient), options.parallel,
                                     parameters, [&](Surface<T>& found) { add_statistics(found, flat); });
-    if (prepared->cut_offs.why_s != LambdaSReason::by_table) prepared->unfiltered.reset();  // D is found; K is of it
+    CutOffs<T> of_contact = surface.cut_offs;
+    if (prepared->cut_offs.why_s != LambdaSReason::by_table)
+        prepared->unfiltered.reset();  // D is found; K is of it
+    else if (surface.heights && !(of_contact.lambda_c && of_contact.filter == CutOffFilter::robust))
+        surface.all_waves = height_statistics(*prepared->unfiltered), of_contact.lambda_s.reset();
     surface.map = prepared;
     surface.size = static_cast<T>(flat.present()) * flat.dx * flat.dy;
     surface.widest_band =
         widest_band((std::max)(static_cast<T>(flat.columns()) * flat.dx, static_cast<T>(flat.rows()) * flat.dy),
-                    (std::max)(flat.dx, flat.dy), surface.cut_offs);
+                    (std::max)(flat.dx, flat.dy), of_contact);
     return surface;
 }
 

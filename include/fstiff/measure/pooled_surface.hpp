@@ -339,13 +339,14 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
     pool.cut_offs = first.cut_offs;
     pool.is_profile = first.is_profile;
     pool.widest_band = 0;
-    std::vector<HeightStatistics<T>> heights;
+    std::vector<HeightStatistics<T>> heights, all_waves;
     std::vector<T> sizes;
     for (const auto& part : parts) {
         pool.long_end = detail::mean_of_ends(pool.long_end, part.long_end, pool.size / (pool.size + part.size));
         pool.size += part.size, pool.peaks_counted += part.peaks_counted, pool.blocks += part.blocks;
         pool.widest_band = (std::max)(pool.widest_band, part.widest_band);
         if (part.heights) heights.push_back(*part.heights);
+        if (part.all_waves) all_waves.push_back(*part.all_waves);
         sizes.push_back(part.size);
     }
     detail::pool_errors(pool, parts);
@@ -356,6 +357,7 @@ Surface<T> pooled(std::vector<Surface<T>> parts) {
         pool.heights = pooled(heights, sizes);
         pool.rms_gradient = pool.heights->rms_gradient;
         pool.shape_share = detail::pooled_share(parts);
+        if (all_waves.size() == parts.size()) pool.all_waves = pooled(all_waves, sizes);
     }
     for (const Surface<T>& neighbour : first.neighbours) {
         std::vector<Surface<T>> alike;  // one of every part

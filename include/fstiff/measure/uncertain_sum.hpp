@@ -57,14 +57,14 @@ template <Real T>
     return result;
 }
 
-/// \p face with the parameters \p drawn about its own; the moments are scaled with the height.
+/// \p face with the parameters \p drawn about its own. An error of the height is that of its longest waves, which have
+/// no gradient.
 template <Real T>
 [[nodiscard]] RoughFace<T> redrawn(RoughFace<T> face, const std::array<T, surface_parameter_count>& drawn) {
     const auto value = [&](Parameter parameter) { return drawn[index_of(parameter)]; };
     const T taller = value(Parameter::rms_height) / face.roughness.rms_height;
-    const T bent = face.has_peaks() ? face.roughness.peak_radius / value(Parameter::peak_radius) : taller;
-    face.moments = {face.moments.m0 * taller * taller, face.moments.m2 * taller * taller,
-                    face.moments.m4 * bent * bent};
+    const T bent = face.has_peaks() ? face.roughness.peak_radius / value(Parameter::peak_radius) : T(1);
+    face.moments = {face.moments.m0 * taller * taller, face.moments.m2, face.moments.m4 * bent * bent};
     face.roughness = {value(Parameter::rms_height), value(Parameter::peak_radius), value(Parameter::peak_density),
                       face.roughness.max_peak_height};
     if (face.fractal_dimension) face.fractal_dimension = value(Parameter::fractal_dimension);

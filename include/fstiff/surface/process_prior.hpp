@@ -68,6 +68,10 @@ inline constexpr std::array<ProcessPrior, 9> process_priors{{
     return process_priors[static_cast<std::size_t>(process)];
 }
 
+/// d ln g/d ln sigma of a gradient that follows from the rms height: gradient_of_height(), slope_of_spacing(),
+/// gradient_of_islands().
+inline constexpr double growth_of_height = 0.5, growth_of_spacing = 1, growth_of_islands = 0.75;
+
 /// Rms gradient of a surface for which only the rms height \p rms_height [m] is known.
 /// \throws domain_error unless it is finite and positive.
 [[nodiscard]] inline PriorRange gradient_of_height(const ProcessPrior& prior, double rms_height) {
