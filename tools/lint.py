@@ -9,10 +9,11 @@
     tools/lint.py api                docs/api.md lists the public names; --update writes it
     tools/lint.py sizes              lines of files, of functions and of folders
     tools/lint.py snippets README.md --command build/release/bin/fstiff
-                                     what documents show is what comes out
+                                     what documents show is what comes out; --update writes it
 
 tests/check/lint_refuse.py has a case for every rule."""
 import argparse
+import difflib
 import glob
 import os
 import pathlib
@@ -375,26 +376,49 @@ def api(root, update=False):
     return problems
 
 
+def lines(text):
+    return [line.rstrip() for line in text.strip().split("\n")]
+
+
 def same(expected, actual):
     """Whether actual is what a document shows; a line "..." matches any lines, " ..." for the rest of a line."""
-    def lines(text):
-        return [line.rstrip() for line in text.strip().split("\n")]
     pattern = "".join(r"(?:.*\n)*?" if line == "..." else
                       re.escape(line[:-4]) + ".*\n" if line.endswith(" ...") else re.escape(line + "\n")
                       for line in lines(expected))
     return re.fullmatch(pattern, "".join(line + "\n" for line in lines(actual)))
 
 
+def renewed(expected, actual):
+    """What a document shows of actual, with lines and rests of lines left out where expected leaves them out: the lines between two "..."
+    are found by their first and their last one."""
+    def closest(line, begin):
+        def likeness(i):
+            return difflib.SequenceMatcher(None, *(re.sub(r"\d", "0", text) for text in (line, new[i]))).ratio()
+        return max(range(begin, len(new)), key=likeness, default=begin)
+    new, shown, begin = lines(actual), [], 0
+    parts = [part.split("\n")[1:-1] for part in re.split(r"(?<=\n)\.\.\.(?=\n)", "\n".join(["", *lines(expected), ""]))]
+    for number, part in enumerate(parts):
+        first = closest(part[0], begin) if number and part else begin
+        last = first if not part else len(new) if number + 1 == len(parts) else closest(part[-1], first) + 1
+        for line in part:
+            if line.endswith(" ..."):
+                i = closest(line[:-4], first)
+                new[i] = new[i][:len(line) - 4].rstrip() + " ..."
+        shown += ["..."] * (number > 0) + new[first:last]
+        begin = last
+    return "\n".join(shown)
+
+
 def blocks(text):
-    """Kind and body of each block between lines of ```."""
+    """Line, kind and body of each block between lines of ```."""
     kind, body = None, []
-    for line in text.split("\n"):
+    for number, line in enumerate(text.split("\n")):
         if not line.startswith("```"):
             body = [] if kind is None else [*body, line]
         elif kind is None:
             kind, body = line[3:], []
         else:
-            yield kind, "\n".join(body)
+            yield number - len(body), kind, "\n".join(body)
             kind = None
     if kind is not None:
         raise ValueError("a block is not closed")
@@ -410,7 +434,7 @@ class Snippets:
     A command that reads ../shared is passed over where that folder is absent. PREFIX names a folder to install into."""
 
     def __init__(self, root, document, options):
-        self.root, self.document, self.problems = root, document, []
+        self.root, self.document, self.problems, self.update = root, document, [], options.update
         self.work = (pathlib.Path(options.work) / re.sub(r"\W", "_", document.name)).resolve()
         shutil.rmtree(self.work, ignore_errors=True)
         self.work.mkdir(parents=True)
@@ -433,11 +457,18 @@ class Snippets:
         return None
 
     def compare(self, shown, expected, actual):
-        if actual is not None and not same(expected, actual):
-            self.problems.append(f"'{shown}' prints\n{actual}\nand the document shows\n{expected}")
+        """What the document is to show."""
+        if actual is None or same(expected, actual):
+            return expected
+        if self.update and same(new := renewed(expected, actual), actual):
+            return new
+        self.problems.append(f"'{shown}' prints\n{actual}\nand the document shows\n{expected}")
+        return expected
 
     def program(self, name, body):
-        """What the program prints; None of what has no main()."""
+        """What the program prints; None of what has no main(), and without a compiler."""
+        if not self.compiler[0]:
+            return None
         source, program = self.work / f"{name}.cpp", self.work / name
         source.write_text(body + "\n", encoding="utf-8")
         if "main(" not in body:
@@ -447,31 +478,42 @@ class Snippets:
         return None
 
     def console(self, body, fails):
+        """The block that the document is to show."""
         if not body.startswith("$ "):
             self.problems.append(f"a console block must begin with '$ ': {body}")
+            return body
+        sessions = []
         for session in body[2:].split("\n$ "):
             command, _, expected = session.partition("\n")
             if "../shared/" in command and not (self.root / "../shared").exists():
                 print(f"passed over, there is no ../shared: {command}")
-            else:
-                self.compare(command, expected, self.run(["sh", "-c", command], command, fails))
+            elif (new := self.compare(command, expected, self.run(["sh", "-c", command], command, fails))) != expected:
+                session = command + "\n" * bool(new) + new
+            sessions.append(f"$ {session}")
+        return "\n".join(sessions)
 
     def check(self):
         checked = count = 0
         printed = None  # by a program, and shown by no ```text block yet
-        for count, (kind, body) in enumerate(blocks(read(self.document)), 1):
+        edits, text = [], read(self.document)
+        for count, (line, kind, body) in enumerate(blocks(text), 1):
+            new = body
             if kind == "cpp":
                 printed = self.program(f"snippet_{count}", body)
             elif kind == "text" and printed is not None:
-                self.compare(f"program {count}", body, printed)
-                printed = None
+                new, printed = self.compare(f"program {count}", body, printed), None
             elif kind in ("console check", "console check fails"):
-                self.console(body, kind.endswith("fails"))
-                printed = None
+                new, printed = self.console(body, kind.endswith("fails")), None
             else:
                 continue
             checked += 1
-        print(f"{self.document}: {checked} of {count} blocks checked")
+            edits += [(line, body, new)] * (new != body)
+        shown = text.split("\n")
+        for line, body, new in reversed(edits):
+            shown[line:line + body.count("\n") + bool(body)] = new.split("\n")
+        if edits:
+            self.document.write_text("\n".join(shown), encoding="utf-8", newline="\n")
+        print(f"{self.document}: {checked} of {count} blocks checked, {len(edits)} written")
         return [f"{self.document}: {problem}" for problem in self.problems]
 
 
@@ -487,7 +529,8 @@ def main():
     checks.add_parser("api").add_argument("--update", action="store_true")
     snippet = checks.add_parser("snippets")
     snippet.add_argument("documents", nargs="+", type=pathlib.Path)
-    snippet.add_argument("--compiler", default="g++")
+    snippet.add_argument("--update", action="store_true", help="write what is printed into the documents")
+    snippet.add_argument("--compiler", default="g++", help="'' passes over the programs")
     snippet.add_argument("--flags", default="", help="of the compiler")
     snippet.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
     snippet.add_argument("--command", help="bin/fstiff")

@@ -185,6 +185,18 @@ SNIPPETS = [
     ("", "```cpp\n#include <only_here>\n```\n"),
     ("a block is not closed", "```cpp\nint main() {}\n"),
 ]
+COUNT = "$ printf 'one 1\\nx\\ntwo 2\\nthree 33\\n'\n"
+UPDATES = [(f"```{kind}\n{code}{before}```\nafter\n", f"```{kind}\n{code}{after}```\nafter\n") for kind, code, before, after in (
+    ("console check", "$ echo a\n", "b\n", "a\n"),
+    ("console check", "$ echo a\n", "", "a\n"),
+    ("console check", "$ true\n", "b\n\n", ""),
+    ("console check fails", "$ echo a; false\n", "b\n", "a\n"),
+    ("console check", f"$ echo a\na\n{COUNT}", "one 0\n...\nthree 20\n", "one 1\n...\nthree 33\n"),
+    ("console check", COUNT, "...\ntwo 1\n...\n", "...\ntwo 2\n...\n"),
+    ("console check", COUNT, "...\ntwo 1\ny\nthree 2\n", "...\ntwo 2\nthree 33\n"),
+    ("console check", COUNT, "one 2\n...\nthree ...\n", "one 1\n...\nthree ...\n"),
+    ("console check", COUNT, "one 1\n...\nthree 33\n", "one 1\n...\nthree 33\n"))]
+UPDATES += [(f"{PROGRAM}```text\n{before}```\n", f"{PROGRAM}```text\n[2];\n```\n") for before in ("", "[3];\n", "a\nb\n")]
 LINKS = [
     ("", "docs/a.md", "# A, `b` (c)\n## A [b](a.md)\n## A b\n```\n# No\n[](none.md)\n```\n[](#a-b-c) [](a.md#a-b) [x](#a-b-1) `[](none.md)`\n"
          "[x](https://none) [x](../src/io/text.hpp#L1) ![](../src)\n"),
@@ -237,7 +249,7 @@ def on_documents(compiler, flags, eigen):
         write(root, {version: (TOOLS.parent / version).read_text(encoding="utf-8")})
         (root / "bin/from_the_path").chmod(0o755)
         options = argparse.Namespace(compiler=compiler, flags=flags, double=None, eigen=f"{eigen};{root / 'eigen'}",
-                                     work=root / "work", command=root / "bin/fstiff")
+                                     work=root / "work", command=root / "bin/fstiff", update=False)
 
         def on(text, expected):
             write(root, {"document.md": text})
@@ -248,6 +260,14 @@ def on_documents(compiler, flags, eigen):
         write(root, {"../shared/some": "words\n"})
         on("```console check\n$ cat ../shared/some\nwords\n```\n", "")
         on("```console check\n$ cat ../shared/none\n```\n", "'cat ../shared/none' ends with 1")
+        options.update = True
+        for before, after in UPDATES:
+            on(before, "")
+            if (written := (root / "document.md").read_text(encoding="utf-8")) != after:
+                sys.exit(f"{before}\nis written as\n{written}")
+        on("```console check\n$ false\na\n```\n", "'false' ends with 1")
+        options.compiler = ""
+        on("```cpp\nint main( { return 0; }\n```\n```text\na\n```\n", "")
 
 
 API = """// SPDX
