@@ -7,7 +7,7 @@
     tools/lint.py glossary           the names and rows of docs/glossary.md
     tools/lint.py words [FILE ...]   no prose has a word of the last table of CONTRIBUTING.md; comments have 120 columns
     tools/lint.py api                docs/api.md lists the public names; --update writes it
-    tools/lint.py sizes              lines of files, of functions and of folders
+    tools/lint.py sizes              lines of files, of functions and of heads of headers
     tools/lint.py snippets README.md --command build/release/bin/fstiff
                                      what documents show is what comes out; --update writes it
 
@@ -31,9 +31,8 @@ OPT_IN = re.compile("answer/(?!causes|checks|joint)")  # not in fstiff.hpp
 OF_THREADS = "barrier condition_variable future latch semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
-# sizes, in lines: of a file, of a function, of the comment that opens a header, and of folders.
+# sizes, in lines: of a file, of a function and of the comment that opens a header.
 FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
-TOTALS = {"include": 31957, "src without io": 18216, "tools": 3617}
 
 
 def read(path):
@@ -293,15 +292,10 @@ def sizes(root):
         for function, size in functions(code):
             key = f"{name} {function}"
             long[key] = max(size, long.get(key, 0))
-    scripts = (path for path in (root / "tools").rglob("*") if path.is_file() and path.suffix != ".pyc")
-    totals = {"include": sum(size for name, size in lines.items() if name.startswith("include/")),
-              "src without io": sum(size for name, size in lines.items() if re.match("src/(?!io/)", name)),
-              "tools": sum(read(path).count("\n") for path in scripts)}
-    print(f"{len(lines)} files, {len(long)} functions; lines: {totals}, at most {TOTALS}")
+    print(f"{len(lines)} files, {len(long)} functions")
     return problems + [f"{name}: has {size} lines, more than {limit}"
-                       for sizes, limits in ((lines, FILE_LINES), (long, FUNCTION_LINES), (heads, HEAD_LINES), (totals, TOTALS))
-                       for name, size in sizes.items()
-                       if size > (limit := limits[name] if limits is TOTALS else limits)]
+                       for sizes, limit in ((lines, FILE_LINES), (long, FUNCTION_LINES), (heads, HEAD_LINES))
+                       for name, size in sizes.items() if size > limit]
 
 
 API_NAMES = 240  # of namespaces fstiff and fstiff::io, at most

@@ -18,12 +18,10 @@ import lint  # noqa: E402
 import links  # noqa: E402
 
 lint.API_NAMES = 4
-lint.TOTALS = {"include": 500, "src without io": 500, "tools": 10}
 
 ROWS = "".join(f"| {folder} | what it is for | x |\n" for folder in (*lint.above(lint.PUBLIC), *lint.above(lint.PRIVATE)))
 TREE = {
     "tools/lint.py": "# which fstiff.hpp names\n",
-    "tools/of_python/a.pyc": 20 * "\n",
     "tests/check/lint_refuse.py": "# docs/none.md\n",
     "include/fstiff/core/config.hpp": "[[gnu::cold]] void refuse();\n",
     "include/fstiff/core/error.hpp": "#include <string>\n#include <fstiff/core/config.hpp>\n",
@@ -136,9 +134,6 @@ SIZES = [
     ("src/io/a.cpp f: has 61 lines, more than 60", "src/io/a.cpp",
      "#define B {\nnamespace a {}\nvoid f(char c = '{') {\n  const auto g = R\"x(}\")x\";\n" + 57 * "/* {\n" + "*/ g({1});\n}\n"),
     ("its braces do not match", "src/io/a.cpp", "namespace a {\n"),
-    ("include: has 501 lines, more than 500", "include/a.h", 238 * "\n", "include/b.h", 241 * "\n"),
-    ("src without io: has 501 lines, more than 500", "src/scene/a.cpp", 249 * "\n", "src/scene/b.cpp", 249 * "\n"),
-    ("tools: has 11 lines, more than 10", "tools/a", 10 * "\n"),
     ("include/a.h head: has 16 lines, more than 15", "include/a.h", "#pragma once\n/// \\file\n" + 15 * "///\n"),
     ("", "include/a.h", "/// \\file\n" + 14 * "/// a\n" + "\n" + 20 * "/// b\n"),
 ]
