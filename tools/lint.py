@@ -15,6 +15,7 @@ tests/check/lint_refuse.py has a case for every rule."""
 import argparse
 import difflib
 import glob
+import math
 import os
 import pathlib
 import re
@@ -418,6 +419,65 @@ def blocks(text):
         raise ValueError("a block is not closed")
 
 
+NUMBER = re.compile(r"(?<![\w.])(?:[0-9]{1,3}(?:,[0-9]{3})+|[0-9]+)(?:\.[0-9]+)?(?:e[-+]?[0-9]+)?(?!\w)")
+CONSTANT = re.compile(r"[0-9]|10*|0\.0*1|1e[-+]?[0-9]+")  # digits and powers of ten
+FORMULA = re.compile(rf"(?:{NUMBER.pattern}|sqrt|log|exp|pi|[-+*/() ])+")
+
+
+def value(number):
+    return float(number.replace(",", ""))
+
+
+def rounds(number, values):
+    """Whether number is one of the values to its last digit."""
+    digits, _, exponent = number.replace(",", "").partition("e")
+    unit = 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2]))
+    return any(abs(value(number) - other) <= 0.5000001 * unit for other in values)
+
+
+def refuted(number, formula, known):
+    """Why the number is not the value of the formula of known numbers; None where it is."""
+    if missing := [part for part in NUMBER.findall(formula) if not CONSTANT.fullmatch(part) and not rounds(part, known)]:
+        return f"no block of the section has {', '.join(missing)}"
+    try:
+        result = eval(formula, {"__builtins__": {}}, vars(math)) if FORMULA.fullmatch(formula) else None
+    except (ArithmeticError, SyntaxError, TypeError):
+        result = None
+    if not isinstance(result, (int, float)):
+        return "is no expression of numbers, + - * / ** ( ), sqrt, log, exp and pi"
+    return None if rounds(number, [result]) else f"is {result:.6g}"
+
+
+def quotations(text, checked):
+    """Complaints about the numbers in the prose after the blocks of these counts, to the next heading or <!-- other numbers -->. Each is in
+    a block of its section, rounded or not, or in a comment, which has its source or how it follows from the blocks:
+
+        <!-- 0.36 = 1e3/(5.61e10*0.05*1e-6); 0.05: the area in relay.toml -->"""
+    def blank(code):
+        return re.sub(r"[^\n]", " ", code[0])
+    plain = NO_PROSE.sub(blank, text).split("\n")
+    headings = [0, *(i for i, line in enumerate(plain) if line.startswith("#")), len(plain)]
+    every = [(line, body, count in checked) for count, (line, _, body) in enumerate(blocks(text), 1)]
+    for begin, end in zip(headings, headings[1:]):
+        shown = [block for block in every if begin <= block[0] < end]
+        if not (first := next((line for line, _, check in shown if check), None)):
+            continue
+        prose = "\n".join(plain[first:end]).partition("<!-- other numbers -->")[0]
+        notes = [note for comment in re.findall(r"<!--(.*?)-->", prose, re.S) for note in re.split(r";\s+", comment.strip())]
+        sources, formulas = (dict(found.groups() for note in notes if (found := re.fullmatch(f"({NUMBER.pattern}){mark}(.+)", note, re.S)))
+                             for mark in (": ", " = "))
+        known = {value(number) for _, body, _ in shown for number in NUMBER.findall(body)} | {*map(value, sources)}
+        yield from (f"{number} = {formula}: {why}" for number, formula in formulas.items() if (why := refuted(number, formula, known)))
+        prose = re.sub(r"(?m)^ *[0-9]+[.] ", blank, re.sub(r"<!--.*?-->", blank, prose, flags=re.S))
+        quoted = {number[0]: first + prose.count("\n", 0, number.start()) + 1 for number in NUMBER.finditer(prose)}
+        for number, line in quoted.items():
+            if number not in formulas and not rounds(number, known):
+                yield (f"line {line}: no block of the section has {number}: mend it, or add <!-- {number} = EXPRESSION --> or "
+                       f"<!-- {number}: SOURCE -->")
+        if unused := {*formulas, *sources} - {*quoted, *NUMBER.findall(" ".join(formulas.values()))}:
+            yield f"{', '.join(sorted(unused))}: in a comment, and not in the text"
+
+
 class Snippets:
     """The blocks of one document, run from root:
 
@@ -425,6 +485,7 @@ class Snippets:
                             what it prints
         ```console check    lines "$ command" run by sh, each followed by what it prints; "check fails": they must fail
 
+    The numbers of the prose after them are those of quotations().
     A command that reads ../shared is passed over where that folder is absent. PREFIX names a folder to install into."""
 
     def __init__(self, root, document, options):
@@ -487,27 +548,30 @@ class Snippets:
         return "\n".join(sessions)
 
     def check(self):
-        checked = count = 0
+        checked, programs, count = [], 0, 0
         printed = None  # by a program, and shown by no ```text block yet
         edits, text = [], read(self.document)
         for count, (line, kind, body) in enumerate(blocks(text), 1):
             new = body
             if kind == "cpp":
                 printed = self.program(f"snippet_{count}", body)
-            elif kind == "text" and printed is not None:
+                programs += 1
+                continue
+            if kind == "text" and printed is not None:
                 new, printed = self.compare(f"program {count}", body, printed), None
             elif kind in ("console check", "console check fails"):
                 new, printed = self.console(body, kind.endswith("fails")), None
             else:
                 continue
-            checked += 1
+            checked.append(count)
             edits += [(line, body, new)] * (new != body)
         shown = text.split("\n")
         for line, body, new in reversed(edits):
             shown[line:line + body.count("\n") + bool(body)] = new.split("\n")
         if edits:
             self.document.write_text("\n".join(shown), encoding="utf-8", newline="\n")
-        print(f"{self.document}: {checked} of {count} blocks checked, {len(edits)} written")
+        self.problems += quotations("\n".join(shown), checked)
+        print(f"{self.document}: {len(checked) + programs} of {count} blocks checked, {len(edits)} written")
         return [f"{self.document}: {problem}" for problem in self.problems]
 
 
