@@ -438,7 +438,7 @@ def rounds(number, values):
 def refuted(number, formula, known):
     """Why the number is not the value of the formula of known numbers; None where it is."""
     if missing := [part for part in NUMBER.findall(formula) if not CONSTANT.fullmatch(part) and not rounds(part, known)]:
-        return f"no block of the section has {', '.join(missing)}"
+        return f"no block has {', '.join(missing)}"
     try:
         result = eval(formula, {"__builtins__": {}}, vars(math)) if FORMULA.fullmatch(formula) else None
     except (ArithmeticError, SyntaxError, TypeError):
@@ -452,7 +452,9 @@ def quotations(text, checked):
     """Complaints about the numbers in the prose after the blocks of these counts, to the next heading or <!-- other numbers -->. Each is in
     a block of its section, rounded or not, or in a comment, which has its source or how it follows from the blocks:
 
-        <!-- 0.36 = 1e3/(5.61e10*0.05*1e-6); 0.05: the area in relay.toml -->"""
+        <!-- 0.36 = 1e3/(5.61e10*0.05*1e-6); 0.05: the area in relay.toml -->
+
+    In a section without such a block the comments alone are compared, with all of these blocks."""
     def blank(code):
         return re.sub(r"[^\n]", " ", code[0])
     plain = NO_PROSE.sub(blank, text).split("\n")
@@ -460,18 +462,20 @@ def quotations(text, checked):
     every = [(line, body, count in checked) for count, (line, _, body) in enumerate(blocks(text), 1)]
     for begin, end in zip(headings, headings[1:]):
         shown = [block for block in every if begin <= block[0] < end]
-        if not (first := next((line for line, _, check in shown if check), None)):
-            continue
-        prose = "\n".join(plain[first:end]).partition("<!-- other numbers -->")[0]
+        first = next((line for line, _, check in shown if check), None)
+        quotable = [body for _, body, check in (shown if first else every) if first or check]
+        prose = "\n".join(plain[first or begin:end]).partition("<!-- other numbers -->")[0]
         notes = [note for comment in re.findall(r"<!--(.*?)-->", prose, re.S) for note in re.split(r";\s+", comment.strip())]
         sources, formulas = (dict(found.groups() for note in notes if (found := re.fullmatch(f"({NUMBER.pattern}){mark}(.+)", note, re.S)))
                              for mark in (": ", " = "))
-        known = {value(number) for _, body, _ in shown for number in NUMBER.findall(body)} | {*map(value, sources)}
-        yield from (f"{number} = {formula}: {why}" for number, formula in formulas.items() if (why := refuted(number, formula, known)))
+        known = {value(number) for body in quotable for number in NUMBER.findall(body)} | {*map(value, sources)}
+        for number, formula in formulas.items():
+            if why := refuted(number, formula, known.union(value(other) for other in formulas if other != number)):
+                yield f"{number} = {formula}: {why}"
         prose = re.sub(r"(?m)^ *[0-9]+[.] ", blank, re.sub(r"<!--.*?-->", blank, prose, flags=re.S))
-        quoted = {number[0]: first + prose.count("\n", 0, number.start()) + 1 for number in NUMBER.finditer(prose)}
+        quoted = {number[0]: (first or begin) + prose.count("\n", 0, number.start()) + 1 for number in NUMBER.finditer(prose)}
         for number, line in quoted.items():
-            if number not in formulas and not rounds(number, known):
+            if first and number not in formulas and not rounds(number, known):
                 yield (f"line {line}: no block of the section has {number}: mend it, or add <!-- {number} = EXPRESSION --> or "
                        f"<!-- {number}: SOURCE -->")
         if unused := {*formulas, *sources} - {*quoted, *NUMBER.findall(" ".join(formulas.values()))}:

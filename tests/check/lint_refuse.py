@@ -190,13 +190,17 @@ SNIPPETS += [(expected, QUOTED + prose) for expected, prose in (
     ("", "1. `0.92` of C20, mm² [a](b9.md)\n\n       0.92\n"),
     ("", "K falls by 9 %. <!-- 9 = 100*(1 - 0.914) -->\n"),
     ("8 = 100*(1 - 0.914): is 8.6", "K falls by 8 %. <!-- 8 = 100*(1 - 0.914) -->\n"),
-    ("9 = 100*(1 - 0.911): no block of the section has 0.911", "K falls by 9 %. <!-- 9 = 100*(1 - 0.911) -->\n"),
+    ("9 = 100*(1 - 0.911): no block has 0.911", "K falls by 9 %. <!-- 9 = 100*(1 - 0.911) -->\n"),
     ("9 = 1/0: is no expression", "K falls by 9 %. <!-- 9 = 1/0 -->\n"),
     ("9 = nine: is no expression", "K falls by 9 %. <!-- 9 = nine -->\n"),
     ("", "On 0.05 mm²: 4.57e-2. <!-- 0.05: as in\na.toml; 4.57e-2 = 0.914*0.05 -->\n"),
     ("9: in a comment, and not in the text", "K falls. <!-- 9: as in a.toml -->\n"),
     ("", "<!-- other numbers -->\nK is 0.92.\n"),
-    ("", "# B\nK is 0.92.\n"))]
+    ("", "# B\nK is 0.92.\n"),
+    ("", "# B\nK is 0.91, 9 % less. <!-- 0.91 = 0.914; 9 = 100*(1 - 0.91) -->\n"),
+    ("0.92 = 0.914: is 0.914", "# B\nK is 0.92. <!-- 0.92 = 0.914 -->\n"),
+    ("0.91: in a comment", "# B\nK is 0.92. <!-- 0.91 = 0.914 -->\n"),
+    ("has 12", "# B\nK is 12. <!-- 12 = 12 -->\n"))]
 SNIPPETS.append(("line 9: no block of the section has 3", f"{PROGRAM}```text\n[2];\n```\n\n3\n"))
 COUNT = "$ printf 'one 1\\nx\\ntwo 2\\nthree 33\\n'\n"
 UPDATES = [(f"```{kind}\n{code}{before}```\nafter\n", f"```{kind}\n{code}{after}```\nafter\n") for kind, code, before, after in (
