@@ -448,22 +448,25 @@ def refuted(number, formula, known):
     return None if rounds(number, [result]) else f"is {result:.6g}"
 
 
-def quotations(text, checked):
-    """Complaints about the numbers in the prose after the blocks of these counts, to the next heading or <!-- other numbers -->. Each is in
-    a block of its section, rounded or not, or in a comment, which has its source or how it follows from the blocks:
+def quotations(text):
+    """Complaints about the numbers in the prose after a block of output, to the next heading or <!-- other numbers -->. Each is in a block
+    of its section, rounded or not, or in a comment, which has its source or how it follows from the blocks:
 
         <!-- 0.36 = 1e3/(5.61e10*0.05*1e-6); 0.05: the area in relay.toml -->
 
-    In a section without such a block the comments alone are compared, with all of these blocks."""
+    In a section without output the comments alone are compared, with all output of the document."""
     def blank(code):
         return re.sub(r"[^\n]", " ", code[0])
     plain = NO_PROSE.sub(blank, text).split("\n")
     headings = [0, *(i for i, line in enumerate(plain) if line.startswith("#")), len(plain)]
-    every = [(line, body, count in checked) for count, (line, _, body) in enumerate(blocks(text), 1)]
+    every, before = [], None
+    for line, kind, body in blocks(text):
+        every.append((line, body, kind.startswith("console check") or kind == "text" and before in ("cpp", "c", "python")))
+        before = kind
     for begin, end in zip(headings, headings[1:]):
         shown = [block for block in every if begin <= block[0] < end]
-        first = next((line for line, _, check in shown if check), None)
-        quotable = [body for _, body, check in (shown if first else every) if first or check]
+        first = next((line for line, _, output in shown if output), None)
+        quotable = [body for _, body, output in (shown if first else every) if first or output]
         prose = "\n".join(plain[first or begin:end]).partition("<!-- other numbers -->")[0]
         notes = [note for comment in re.findall(r"<!--(.*?)-->", prose, re.S) for note in re.split(r";\s+", comment.strip())]
         sources, formulas = (dict(found.groups() for note in notes if (found := re.fullmatch(f"({NUMBER.pattern}){mark}(.+)", note, re.S)))
@@ -552,30 +555,28 @@ class Snippets:
         return "\n".join(sessions)
 
     def check(self):
-        checked, programs, count = [], 0, 0
+        checked = count = 0
         printed = None  # by a program, and shown by no ```text block yet
         edits, text = [], read(self.document)
         for count, (line, kind, body) in enumerate(blocks(text), 1):
             new = body
             if kind == "cpp":
                 printed = self.program(f"snippet_{count}", body)
-                programs += 1
-                continue
-            if kind == "text" and printed is not None:
+            elif kind == "text" and printed is not None:
                 new, printed = self.compare(f"program {count}", body, printed), None
             elif kind in ("console check", "console check fails"):
                 new, printed = self.console(body, kind.endswith("fails")), None
             else:
                 continue
-            checked.append(count)
+            checked += 1
             edits += [(line, body, new)] * (new != body)
         shown = text.split("\n")
         for line, body, new in reversed(edits):
             shown[line:line + body.count("\n") + bool(body)] = new.split("\n")
         if edits:
             self.document.write_text("\n".join(shown), encoding="utf-8", newline="\n")
-        self.problems += quotations("\n".join(shown), checked)
-        print(f"{self.document}: {len(checked) + programs} of {count} blocks checked, {len(edits)} written")
+        self.problems += quotations("\n".join(shown))
+        print(f"{self.document}: {checked} of {count} blocks checked, {len(edits)} written")
         return [f"{self.document}: {problem}" for problem in self.problems]
 
 
