@@ -175,7 +175,7 @@ def tables_of_joints(judge):
               for medium, h, gap, (value, low, high), told in judge.media()]
     return "\n".join(table(head, lines) + [f"The band covers {inside} of {len(lines)}; of metals that never yield it would cover {elastic}.", ""] +
                      table(["between aluminium faces", *head[3:], "more than air, over that of the gap of helium"], fluids) +
-                     [f"Helium less air is what a gap of {judge.width * 1e6:.0f} µm conducts more."]).rstrip()
+                     [f"The difference between helium and air is that of a gap of {judge.width * 1e6:.0f} µm."]).rstrip()
 
 
 def tables_in_air(judge):
