@@ -372,7 +372,8 @@ def api(root, update=False):
 
 
 def lines(text):
-    return [line.rstrip() for line in text.strip().split("\n")]
+    """The lines of a text, without blanks at their ends and blank lines at its own."""
+    return [line.rstrip() for line in re.sub(r"\A\s*\n", "", text.rstrip()).split("\n")]
 
 
 def same(expected, actual):

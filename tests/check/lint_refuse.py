@@ -204,7 +204,7 @@ SNIPPETS += [(expected, QUOTED + prose) for expected, prose in (
 SNIPPETS.append(("line 9: no block of the section has 3", f"{PROGRAM}```text\n[2];\n```\n\n3\n"))
 COUNT = "$ printf 'one 1\\nx\\ntwo 2\\nthree 33\\n'\n"
 UPDATES = [(f"```{kind}\n{code}{before}```\nafter\n", f"```{kind}\n{code}{after}```\nafter\n") for kind, code, before, after in (
-    ("console check", "$ echo a\n", "b\n", "a\n"),
+    ("console check", "$ echo '  a'\n", "b\n", "  a\n"),
     ("console check", "$ echo a\n", "", "a\n"),
     ("console check", "$ true\n", "b\n\n", ""),
     ("console check fails", "$ echo a; false\n", "b\n", "a\n"),
