@@ -20,8 +20,8 @@ import tempfile
 
 from generated import ROOT, write_or_check
 
-TRACE = "generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0.3 um' --longest '500 um' --seed 3 -o trace.csv"
-MAP = "generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
+TRACE = "fstiff generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0.3 um' --longest '500 um' --seed 3 -o trace.csv"
+MAP = "fstiff generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
 PLOT = """import fstiff; from fstiff._page import figure, file_of, style
 with style():
     of, ax = figure(6, 3.6); {}.plot(ax)
@@ -33,7 +33,8 @@ PICTURES = {
     "first_curve": ("run first-curve.toml",),
     "trace_scales": (TRACE, "fstiff.measure('trace.csv').scales()"),
     "spectrum": (TRACE, "fstiff.spectrum('trace.csv')"),
-    "identify": ("fstiff.identify('docs/stiffness.toml', 'data/example_stiffness.csv', ['sigma', 'Dp'], law='hertz')",),
+    "identify": ("sh examples/interface/unloading.sh > unloading.csv",
+                 "fstiff.identify('examples/interface/unloading.toml', 'unloading.csv', ['sigma'])"),
     "map_answer": (MAP, "run two_laws.toml --surface map.csv"),
     "heat_sink": ("run examples/interface/heat_sink.toml",),
 }
@@ -61,7 +62,7 @@ with tempfile.TemporaryDirectory() as name:
         if of_python and (check or not importlib.util.find_spec("fstiff")):
             continue
         drawn = [sys.executable, "-c", PLOT.format(last, picture)] if of_python else [command, *shlex.split(f"{last} --plot {picture}.svg")]
-        for words in (*([command, *shlex.split(line)] for line in before), drawn):
-            subprocess.run(words, check=True, capture_output=True)
+        for words in (*(["sh", "-c", line] for line in before), drawn):
+            subprocess.run(words, check=True, capture_output=True, env=os.environ | {"PATH": f"{command.parent}{os.pathsep}{os.environ['PATH']}"})
         wanted[ROOT / "docs" / f"{picture}.svg"] = pathlib.Path(f"{picture}.svg").read_text(encoding="utf-8")
 sys.exit(write_or_check(wanted, "make_pictures.py", check == ["--check"], 0.021))
