@@ -34,12 +34,12 @@ std::string_view words_of(Cause cause) {
     return "";
 }
 
-/// Whether yielded peaks change no K by more than a hundredth.
+/// Whether the loading stiffness is K to a twentieth at every point: what yields hardly counts.
 bool is_nearly_elastic(const StiffnessAnswer& answer) {
     bool nearly = answer.flows;
     for (std::size_t i = 0; i < answer.reasons.size(); ++i)
         nearly =
-            nearly && answer.reasons[i].loading_stiffness.value_or(0) > 0.99 * answer.curve.states[i].stiffness.value;
+            nearly && answer.reasons[i].loading_stiffness.value_or(0) > 0.95 * answer.curve.states[i].stiffness.value;
     return nearly;
 }
 
@@ -52,7 +52,7 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
         std::any_of(answer.reasons.begin(), answer.reasons.end(),
                     [](const detail::AnswerReason& reason) { return reason.loading_stiffness.has_value(); });
     if (is_nearly_elastic(answer))
-        return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves."};
+        return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves, within 5 %."};
     if (answer.flows)
         return {"The peaks yield at first loading" + number + ": K is the unloading stiffness.",
                 std::string("Vibration and waves depend on K; the first static loading ") +
@@ -68,8 +68,8 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
 std::string instead_of_map(const Scene& scene) {
     for (const detail::Face* face : measured_faces(scene)) {
         if (face->measured->is_profile) continue;
-        if (!face->map) return "the JSON of fstiff measure does not contain them; give the file of the map";
-        if (!face->instead_of_map.empty()) return "a " + std::string(face->instead_of_map) + " is given in their place";
+        if (!face->map) return "the JSON of fstiff measure does not contain them: give the file of the map";
+        if (!face->instead_of_map.empty()) return std::string(face->instead_of_map) + " is given";
     }
     return "";
 }
@@ -86,7 +86,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
     if (!missing.empty())
         text = "K is computed from the map's numbers: " + missing;
     else if (const std::string given = instead_of_map(scene); !given.empty())
-        text = "K is computed from numbers, not from the heights of the map: " + given;
+        text = "K is computed from numbers, not from the heights of the map, because " + given;
     else if (count > 0)
         text = "Boundary elements solve " +
                (map->maps.size() == 1 ? "the map itself"

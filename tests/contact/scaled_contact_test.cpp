@@ -42,6 +42,26 @@ TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian on
     }
 }
 
+TEST_CASE("K of two levels, of the least kurtosis of a skewness, rises with the pressure") {
+    // Truth: the scale is explicit in the pressure x of the Gaussian surface, so that p = x rho(x)
+    const PerssonContact<double> persson(detail::band_of_moments(detail::moments_of_gradient(1.0, 1.0, 8.0), 0.8), 1.0);
+    const detail::PerssonSeparation<double> separation(persson, 1.0, 9.0);
+    for (const double skewness : {-3.0, -2.06, -1.5, -1.2, 0.0, 1.5, 3.0})
+        for (const double more : {0.0, 0.01, 0.1}) {
+            const auto curve = detail::bearing_of_moments(skewness, detail::least_kurtosis(skewness) + more);
+            const BearingContact<double> contact(persson, curve, 1.0);
+            double last = 0;
+            for (double log_x = -7; log_x < 0; log_x += 0.1) {
+                const double x = std::exp(log_x), P = persson.real_area_fraction(x);
+                const double rho = curve.slope(separation(x) + 0.2 - 0.3 * P, std::sqrt(0.25 + P * P)), p = x * rho;
+                CAPTURE(skewness, more, x, p);
+                CHECK(test::relative_error(contact.local_scale(p), rho) < 1e-6);
+                CHECK(contact.stiffness(p) > last);
+                last = contact.stiffness(p);
+            }
+        }
+}
+
 TEST_CASE("Statistics of a skewed map are nearer to its boundary elements with its bearing curve") {
     const test::Table bem("bem_maps.csv");
     const HeightMap<double> map = test::half_space_map("skewed");

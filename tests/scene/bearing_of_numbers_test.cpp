@@ -113,6 +113,42 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     CHECK_THROWS_AS(stiffness(), domain_error);
 }
 
+TEST_CASE("K and both ends of faces near the least kurtosis rise with the pressure, each point computed alone") {
+    const auto at = [](double skewness, double kurtosis, const std::string& rest, double pressure) {
+        const auto results = test::results_of(
+            "[surface]\nSq = \"1 um\"\n" + rest + "skewness = " + std::to_string(skewness) +
+            "\nkurtosis = " + std::to_string(kurtosis) +
+            "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nhardness = \"infinite\"\n"
+            "[contact]\npressures = [\"" + std::to_string(pressure) + " Pa\"]\n");
+        return results.answer->curve.band.front();
+    };
+    for (const auto& [skewness, kurtosis] :
+         {std::pair(-1.5, 3.51), {-1.5, 3.6}, {-1.2, 2.7}, {-2.06, 5.78}, {0.0, 1.1}, {0.1, 1.25}, {-2.18, 5.9}})
+        for (const std::string rest : {"", "Sdq = 0.1\n", "Sdq = 0.1\nalpha = 40\n"}) {
+            fstiff::detail::SampledBand<double> last;
+            for (double pressure = 1e3; pressure < 1e9; pressure *= 2) {
+                const auto band = at(skewness, kurtosis, rest, pressure);
+                CAPTURE(skewness, kurtosis, rest, pressure);
+                CHECK(band.low >= last.low);
+                CHECK(band.median >= last.median);
+                CHECK(band.high >= 0.99 * last.high);  // its knots are eight a decade
+                last = band;
+            }
+        }
+}
+
+TEST_CASE("A kurtosis below the least that was compared counts as that, and none below that of any distribution") {
+    const auto of = [](const std::string& kurtosis) {
+        return test::results_of(
+                   "[surface]\nSq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = " + kurtosis +
+                   "\n[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n")
+            .answer->curve.band.front();
+    };
+    CHECK(of("1.1").median == of("1.25").median);
+    CHECK(of("1").high == of("1.25").high);
+    CHECK(of("1.3").median != of("1.25").median);
+}
+
 TEST_CASE("Errors of a bearing curve are reported in one sentence") {
     const auto wrong = [](const std::string& keys, const std::string& sentence) {
         const std::string found = refusal(numbers + keys);
@@ -122,7 +158,8 @@ TEST_CASE("Errors of a bearing curve are reported in one sentence") {
     };
     wrong("skewness = 1\n", "surface.kurtosis: is missing");
     wrong("kurtosis = 4\n", "surface.skewness: is missing");
-    wrong("skewness = 1\nkurtosis = 1.9\n", "surface.kurtosis = 1.9: must be from 2.25 to 100 at this skewness");
+    wrong("skewness = 1\nkurtosis = 1.9\n", "surface.kurtosis = 1.9: must be from 2 to 100 at this skewness");
+    wrong("skewness = 0\nkurtosis = 0.99\n", "surface.kurtosis = 0.99: must be from 1 to 100 at this skewness");
     wrong("skewness = 4\nkurtosis = 30\n", "surface.skewness = 4: must be from -3 to 3");
     wrong("skewness = \"1 um\"\nkurtosis = 4\n", "must be a plain number");
     wrong("Sk = \"2.5 um\"\n", "surface.Spk: is missing; Sk, Spk, Svk, Smr1 and Smr2 belong together");

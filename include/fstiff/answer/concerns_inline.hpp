@@ -151,6 +151,12 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
         others[static_cast<std::size_t>(cause)] = {};
         return factor_of(others);
     };
+    if (const Measurement<double>& height = problem.face.parameters.rms_height; !measured) {
+        const double steep = problem.face.gradient_error / problem.face.rms_gradient.value_or(1);
+        if (height.error > 0 || steep > 0)  // as they are written
+            consider(steep * height.value > height.error ? Unknown::gradient : Unknown::height,
+                     factor_without(Cause::measurement));
+    }
     if (problem.hardness_range && feels_hardness(problem, {answer.law}))
         consider(Unknown::hardness, factor_without(Cause::hardness));
     const bool map_is_better = causes[static_cast<std::size_t>(Cause::lay)].high > 0;

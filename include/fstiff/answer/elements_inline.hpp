@@ -163,7 +163,8 @@ FSTIFF_INLINE std::vector<LightEnd> light_ends(const Problem& problem, const Law
     std::vector<double> pressures;
     for (int k = count; k >= 0; --k)
         pressures.push_back(law_error_pressures.front() * std::pow(10.0, -double(k) / a_decade) * closing);
-    const auto is_light = [&](const auto& state) { return state.pressure.value < 4 * pressures.back(); };
+    const double beyond = problem.face.bearing ? 300 : 4;  // K of bounded heights rises slowly
+    const auto is_light = [&](const auto& state) { return state.pressure.value < beyond * pressures.back(); };
     if (std::none_of(curve.states.begin(), curve.states.end(), is_light)) return ends;
     for_each_contact(problem, {curve.law}, {}, [&](const ContactOfLaw& recipe) {
         const auto points = recipe.make()->at_pressures(pressures, Quantity::stiffness);

@@ -166,7 +166,7 @@ FSTIFF_INLINE void take_shape(const JointFace& spec, Face& face) {
 FSTIFF_INLINE std::string_view instead_of_map(const JointFace& spec) {
     if (spec.rms_height || spec.mean_height) return "rms_height";
     if (spec.rms_gradient || spec.profile_gradient || spec.profile_spacing) return "rms_gradient";
-    return spec.skewness ? "skewness" : spec.bearing ? "bearing curve" : "";
+    return spec.skewness ? "skewness" : spec.bearing ? "a bearing curve" : "";
 }
 
 FSTIFF_INLINE Face face_of(const JointFace& spec) {
