@@ -507,7 +507,7 @@ class Snippets:
             self.environment["PATH"] = f"{folder}{os.pathsep}{os.environ['PATH']}"
         self.compiler = [options.compiler, "-std=c++20", *shlex.split(options.flags), f"-I{root / 'include'}"]
         self.compiler += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
-        self.compiler += ["-DFSTIFF_COMPILED"] * bool(options.double)
+        self.compiler += [f"-D{one}" for one in options.definitions.split(",")] * bool(options.double)
         self.libraries = [options.double] * bool(options.double)
 
     def run(self, command, shown, fails=False):
@@ -599,6 +599,8 @@ def main():
     snippet.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
     snippet.add_argument("--command", help="bin/fstiff")
     snippet.add_argument("--double", help="the library fstiff::double, which the programs link")
+    snippet.add_argument("--definitions", help="of its target",
+                         default="FSTIFF_COMPILED,EIGEN_MAX_ALIGN_BYTES=64,EIGEN_MAX_STATIC_ALIGN_BYTES=16")
     snippet.add_argument("--work", default="build/snippets", help="folder for what is compiled")
     options = parser.parse_args()
     root = options.root.resolve()

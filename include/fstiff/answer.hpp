@@ -6,6 +6,8 @@
 
 #include <fstiff/answer/answer.hpp>
 
-#ifndef FSTIFF_COMPILED
+#ifdef FSTIFF_COMPILED
+#include <fstiff/double/alignment.hpp>
+#else
 #include <fstiff/answer/answer_inline.hpp>
 #endif

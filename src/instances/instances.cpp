@@ -2,3 +2,14 @@
 #define FSTIFF_DOUBLE template
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
+
+namespace fstiff::inline v0_1 {
+
+template <int Dynamic, int Static, bool ByMalloc>
+int detail::fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than() {
+    return 0;
+}
+template int detail::fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than<
+    EIGEN_DEFAULT_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_MALLOC_ALREADY_ALIGNED != 0>();
+
+}  // namespace fstiff::inline v0_1

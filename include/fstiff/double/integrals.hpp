@@ -3,6 +3,7 @@
 /// \file
 /// The kernel of the contact integrals in double, compiled once, in the library fstiff::double.
 
+#include <fstiff/double/alignment.hpp>
 #include <fstiff/peaks/contact_integrals.hpp>
 
 #ifndef FSTIFF_DOUBLE

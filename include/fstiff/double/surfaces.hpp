@@ -4,6 +4,7 @@
 /// Computations for a profile or a map in double, compiled once, in the library fstiff::double. Files that include this
 /// are quick to compile and need no optimisation.
 
+#include <fstiff/double/alignment.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/measure.hpp>
