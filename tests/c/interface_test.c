@@ -641,6 +641,7 @@ static void test_answer(void) {
 
     REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_answer(NULL, pressures, 2, &to, NULL));
     REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_answer(&joint, NULL, 2, &to, NULL));
+    REFUSES(FSTIFF_REFUSED, "pressures: must have at least one", fstiff_answer(&joint, pressures, 0, &to, NULL));
     REFUSES(FSTIFF_REFUSED, "pressure = -1", fstiff_answer(&joint, (const double[]){1e6, -1}, 2, &to, NULL));
     joint.face = NULL;
     REFUSES(FSTIFF_BAD_ARGUMENT, "face", fstiff_answer(&joint, pressures, 2, &to, NULL));

@@ -456,7 +456,7 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
     CHECK(refused([](Joint& of) { of.lower.hardness = -2; }).starts_with("hardness = -2"));
     CHECK(refused([](Joint& of) { of.upper.elastic.poisson_ratio = 0.7; }).starts_with("poisson_ratio = 0.7"));
     CHECK(refused([](Joint&) {}, {1e6, 0.0}).starts_with("pressure = 0: must be finite and greater than 0"));
-    CHECK(answer(joint, std::vector<double>{}).points.empty());
+    CHECK(refused([](Joint&) {}, {}) == "pressures: must have at least one");
     CHECK(test::refusal([&] { (void)contact_of(joint, LawName::boundary_elements); }) ==
           "law boundary_elements: needs a measured map");
     CHECK(test::refusal([&] { (void)contact_of(joint, LawName::fractal); }) == "law fractal: needs fractal_dimension");

@@ -118,7 +118,7 @@ struct Answer {
     [[nodiscard]] ContactLaw<double> law_at(double quantile, const LawRange<double>& range) const;
 };
 
-/// K of \p joint under \p pressures [Pa], each above 0.
+/// K of \p joint under \p pressures [Pa], at least one, each above 0.
 /// \throws domain_error naming the member of the joint, or where no law answers.
 [[nodiscard]] Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options = {});
 

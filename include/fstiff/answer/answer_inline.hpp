@@ -95,6 +95,7 @@ FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const L
 }
 
 FSTIFF_INLINE void require_options(std::span<const double> pressures, const AnswerOptions& options) {
+    if (pressures.empty()) throw domain_error("pressures: must have at least one");
     for (const double p : pressures) require_positive("pressure", p);
     require_positive("seating", options.seating);
     require(options.samples == 0 || (options.samples >= 20 && options.samples <= 100000), "samples", options.samples,
@@ -117,7 +118,6 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
     for (std::size_t i = 0; i < pressures.size(); ++i) request.answered.push_back(i);
     Answer answer;
     answer.rms_height = problem.face.parameters.rms_height.value;
-    if (pressures.empty()) return answer;
     const detail::Curves curves = curves_of(problem, request, options.progress);
     const detail::LawCurve& curve = *curves.answer;
     answer.points = points_of(problem, curve, pressures);
