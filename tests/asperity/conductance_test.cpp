@@ -23,6 +23,11 @@ TEST_CASE("One circular spot conducts 2 k a, as two bodies in series of 4 k a ea
     CHECK_THROWS_AS(fstiff::joint_conductivity(-1.0, 50.0), fstiff::domain_error);
     CHECK_THROWS_AS(fstiff::joint_conductivity(1.0, std::nan("")), fstiff::domain_error);
     CHECK_THROWS_AS(fstiff::spot_conductance(1.0, 1.0, 0.0), fstiff::domain_error);
+    CHECK(test::refusal([] { (void)fstiff::spot_conductance(-1.0, 1.0, 1.0); }) ==
+          "stiffness = -1: must be 0 or greater");
+    CHECK(test::refusal([] { (void)fstiff::spot_conductance(1.0, -1.0, 1.0); }) ==
+          "conductivity = -1: must be 0 or greater");
+    CHECK(std::isnan(fstiff::spot_conductance(std::nan(""), 1.0, 1.0)));
 }
 
 TEST_CASE("A film lies between the spots and nothing, and the gap and radiation have their limits") {

@@ -36,9 +36,12 @@ template <Real T>
     return more > 0 ? 2 * less / (1 + less / more) : T(0);
 }
 
-/// h of the spots. \throws domain_error unless the modulus is positive.
+/// h of the spots. \throws domain_error unless the modulus is positive, k not negative, K not negative or
+/// NaN, of a point without one.
 template <Real T>
 [[nodiscard]] T spot_conductance(T stiffness, T conductivity, T effective_modulus) {
+    detail::require(!(stiffness < 0), "stiffness", stiffness, "0 or greater");
+    detail::require(conductivity >= 0, "conductivity", conductivity, "0 or greater");
     detail::require(effective_modulus > 0, "effective_modulus", effective_modulus, "greater than 0");
     return stiffness / effective_modulus * conductivity;
 }
