@@ -6,7 +6,8 @@
 //
 // Without FILE it reads standard input. The rows come back with value,error,evaluations added; other columns stay as
 // they are, but an input column of one of these names becomes input_value and so on. Cells have no quotation marks.
-// X is the relative tolerance, 2.2e-14 by default; 13 digits are printed. Exit code 3: bad input, in one sentence.
+// X is the relative tolerance, 2.2e-14 by default. A value has the digits that its error leaves, and one more.
+// Exit code 3: bad input, in one sentence.
 #include <fstiff/peaks/contact_integrals.hpp>
 #include <fstiff/peaks/tensor_integrals.hpp>
 
@@ -60,6 +61,12 @@ fstiff::Estimate<double> integral_of(const std::vector<double>& row, double tole
     return fstiff::contact_integral(row[3], row[4], peaks, eta, {.relative_tolerance = tolerance});
 }
 
+/// Digits of a value whose rounding is below a tenth of its error.
+int digits_of(const fstiff::Estimate<double>& integral) {
+    const double ratio = std::abs(integral.value) / integral.error;
+    return ratio < 1e16 ? 1 + static_cast<int>(std::ceil(std::log10((std::max)(ratio, 1.0)))) : 17;
+}
+
 /// Reads the header or, after it, a row; prints it with what is added.
 void read_line(const Cells& cells, const Cells& names, Cells& header, double tolerance) {
     if (header.empty()) {
@@ -81,7 +88,7 @@ void read_line(const Cells& cells, const Cells& names, Cells& header, double tol
             cells[static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin())], name));
     const fstiff::Estimate<double> integral = integral_of(row, tolerance);
     for (const std::string& cell : cells) std::cout << cell << ',';
-    std::printf("%.13g,%.0e,%d\n", integral.value, integral.error, integral.evaluations);
+    std::printf("%.*g,%.0e,%d\n", digits_of(integral), integral.value, integral.error, integral.evaluations);
 }
 
 void integrate(std::istream& in, const std::string& file, const Cells& names, double tolerance) {

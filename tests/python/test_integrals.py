@@ -85,13 +85,13 @@ def test_the_example_prints_what_is_beside_it(root):
 
 
 def test_the_example_in_cpp_has_the_same_load(root):
-    """examples/integral/yielding.txt: the same function at the same separations, with 13 digits."""
+    """examples/integral/yielding.txt: the same function at the same separations, within its error."""
 
     def yielding(e, t):
         before = np.minimum(e, 0.5 / t)
         return np.sqrt(before / t) * (before + 1.5 * (e - before))
 
     rows = (root / "examples" / "integral" / "yielding.txt").read_text().splitlines()[1:]
-    for r, theta, eta, _, _, value, *_ in (map(float, row.split(",")) for row in rows):
+    for r, theta, eta, _, _, value, error, *_ in (map(float, row.split(",")) for row in rows):
         found = fstiff.peak_integral(yielding, kink=lambda t: 0.5 / t, r=r, theta=theta, eta=eta, relative_tolerance=1e-9)
-        assert found.value == pytest.approx(value, rel=1e-12)
+        assert found.value == pytest.approx(value, rel=0, abs=error)
