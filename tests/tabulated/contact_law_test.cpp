@@ -764,6 +764,19 @@ TEST_CASE("float laws, and ranges that cannot be compiled") {
     for (const float p : {1e5F, 3e6F, 9e7F})
         CHECK(test::relative_error(law.stiffness(p), contact.at_pressure(p).stiffness.value) <= law.relative_error());
     CHECK(law.relative_error() < 1e-3F);
+    const RoughContact exact(test::sand_blasted_fine.roughness<double>(), PeakDistribution<double>(0.5, 1.0),
+                             HertzLaw<double>{}, 112.6e9);
+    const Law in_double = Law::tabulate(exact, {0.9e5, 1.1e8});
+    double of_stiffness = 0, of_slope = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const float p = 1e5F * std::pow(1e3F, static_cast<float>(i) / 2000), d = law.separation(p);
+        const double slope = law.tangent_at_separation(d).slope, stiffness = law.stiffness(p);
+        of_stiffness = std::max(of_stiffness, test::relative_error(stiffness, in_double.stiffness(p)));
+        of_slope = std::max(of_slope, test::relative_error(slope, in_double.tangent_at_separation(d).slope));
+    }
+    CHECK(of_stiffness < 1e-5);
+    CHECK(of_slope <= law.relative_error());
+    CHECK(law.relative_error() < 4 * of_slope);
     const auto refused = [](double low, double high, const RoughContactOptions<double>& options = {}) {
         return test::refusal([&] { static_cast<void>(Law::tabulate(hertz(options), {low, high})); });
     };
