@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
-from ._results import Columns, count_of, draw, frame, heading, lines_of, number, numbers, shown, shown_rows, text_table
-from ._surfaces import Measurement, measured_of, metres, warn_of_height
+from ._errors import word, words
+from ._results import Columns, count_of, draw, frame, heading, lines_of, number, numbers, shown, shown_rows, text_table, whole
+from ._surfaces import Measurement, measured_of, warn_of_height
 
 if TYPE_CHECKING:
     import numpy as np
@@ -24,12 +25,11 @@ if TYPE_CHECKING:
 
     Face: TypeAlias = Union[Mapping[str, Any], Measurable]
 
-#: The numbers of a face, and those of them that are lengths.
+#: The numbers of a face.
 FACE = (
     "height", "mean_height", "gradient", "profile_gradient", "profile_spacing", "alpha", "hurst", "skewness", "kurtosis",
     "peak_radius", "peak_density", "fractal_dimension",
 )  # fmt: skip
-LENGTHS = {"height", "mean_height", "profile_spacing", "peak_radius"}
 KEYS = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
 SOLID = (
     "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "density", "velocity", "shear_velocity",
@@ -114,24 +114,14 @@ class Stiffness(Columns):
         return f"<fstiff.Stiffness: {count_of(self)}>\n{text_table(shown_rows(columns, 3))}{which}" + lines_of(doubts + reasons)
 
 
-def _array(value: Any, name: str) -> Numbers:
-    """A number of a face, or an array of them; None is NaN, and a text a length with its unit."""
-    import numpy as np
-
-    if isinstance(value, str):
-        if name not in LENGTHS:
-            raise ValueError(f"{name} = {value!r}: must be a number in SI units, or an array")
-        return np.asarray(metres(value, name))
-    return numbers(value, name)
-
-
 def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
-    if isinstance(given, str):
-        return given, {}
+    if isinstance(given, str) and given:
+        return word(given, which), {}
     if not isinstance(given, Mapping):
-        raise ValueError(f"{which}: must be the name of a material or a dict, not of type {type(given).__name__}")
+        found = "an empty text" if given == "" else f"of type {type(given).__name__}"
+        raise ValueError(f"{which}: must be the name of a material or a dict, not {found}")
     of = dict(given)
-    name = str(of.pop("name", ""))
+    name = word(of.pop("name", ""), f"{which}.name")
     unknown = set(of) - set(SOLID)
     if unknown:
         raise ValueError(f"{which}.{sorted(unknown)[0]}: must be one of name, {', '.join(SOLID)}")
@@ -143,13 +133,12 @@ def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
 
 
 def _face(
-    given: Mapping[str, Any], measured: list[Measurement], process: str | None, shape: tuple[int, ...]
+    given: Mapping[str, Numbers], measured: list[Measurement], process: str | None, shape: tuple[int, ...]
 ) -> _core.Face:
     import numpy as np
 
     columns = {
-        name: np.ascontiguousarray(np.broadcast_to(_array(value, name), shape), dtype=np.float64).ravel()
-        for name, value in given.items()
+        name: np.ascontiguousarray(np.broadcast_to(values, shape), dtype=np.float64).ravel() for name, values in given.items()
     }
     return _core.Face(columns, process or "", [one._measured for one in measured])
 
@@ -186,7 +175,7 @@ def answer(
 ) -> Stiffness:
     """One stiffness for each pressure, by the law that holds there, with a 90 % band and its causes: what `fstiff run` answers.
 
-    pressures           nominal [Pa], an array of any shape
+    pressures           nominal [Pa], an array of any shape, of texts such as "10 MPa" or of quantities with units, as every argument
     upper, lower        a material by its name, or a dict of youngs_modulus [Pa], poisson_ratio, yield_strength, hardness [Pa],
                         density, velocity, shear_velocity, thermal_conductivity, electrical_conductivity, and name for the rest;
                         lower is as upper unless it is given
@@ -204,11 +193,12 @@ def answer(
     samples, seed       surfaces drawn for the band; 0: none
 
     The numbers of a face may be arrays, which are broadcast: one joint for each element, in the leading axes of the result. NaN is a number that is
-    not given. One that is given takes the place of what was measured. What is wrong raises ValueError.
+    not given; a joint that needs it has no K, and a reason. A number that is given takes the place of what was measured. What is wrong raises
+    ValueError.
     """
     import numpy as np
 
-    own = {name: value for name, value in locals().items() if name in FACE and value is not None}
+    own = {name: numbers(value, name) for name, value in locals().items() if name in FACE and value is not None}
     several = isinstance(surface, (list, tuple))
     given_surfaces: Any = surface if several else [] if surface is None else [surface]
     measured = [measured_of(one) for one in given_surfaces]
@@ -224,7 +214,8 @@ def answer(
     for one in measured:
         if not isinstance(one, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(one).__name__}")
-    shapes = [_array(value, name).shape for of in (own, of_other) for name, value in of.items()]
+    of_other = {name: numbers(value, name) for name, value in of_other.items()}
+    shapes = [values.shape for of in (own, of_other) for values in of.values()]
     if several:
         shapes.append((len(measured),))
     try:
@@ -236,17 +227,15 @@ def answer(
         raise ValueError("surface: a list of them goes with numbers and arrays of its length")
     p = numbers(pressures, "pressures")
     given = {"area": area, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction, "amplitude": amplitude}
-    given |= {"seating": seating, "samples": samples, "seed": seed}
+    given |= {"seating": seating, "samples": whole(samples, "samples", 0, 100000), "seed": whole(seed, "seed", 0, 2**53)}
     options = {name: number(value, name) for name, value in given.items() if value is not None}
     first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")
-    for name, word in {"process": process, "other.process": other_process}.items():
-        if not (word is None or isinstance(word, str)):
-            raise ValueError(f"{name}: must be one word, not of type {type(word).__name__}")
-    if isinstance(quantities, str):
-        raise ValueError(f'quantities = "{quantities}": must be a list of names')
+    for name, given_word in {"process": process, "other.process": other_process}.items():
+        if given_word is not None:
+            word(given_word, name, "one word")
     face = _face(own, measured, process, surfaces)
     face2 = None if other is None else _face(of_other, other_measured, other_process, surfaces)
-    found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, list(quantities))
+    found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, words(quantities, "quantities"), bool(surfaces))
     for name in {"height", "mean_height"} & set(own):
-        warn_of_height(float(np.max(_array(own[name], name), initial=0.0)))
+        warn_of_height(float(np.max(own[name], initial=0.0, where=~np.isnan(own[name]))))
     return Stiffness(found, p, surfaces, options.get("area"))

@@ -8,8 +8,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from . import _core
+from ._errors import word, words
 from ._results import Columns, Shown, count_of, draw, frame, number, numbers, shown, shown_rows, text_table, with_unit
-from ._surfaces import Measurement, measure, measured_of, metres, warn_of_height
+from ._surfaces import Measurement, measure, measured_of, warn_of_height
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -39,7 +40,7 @@ def tangential_ratio(youngs_modulus: float, poisson_ratio: float, youngs_modulus
 
 def _bodies(*given: Any) -> list[float]:
     """Young's modulus and Poisson's ratio of the first body, then of the second."""
-    return [_number(value, name) for value, name in zip(given, ("youngs_modulus", "poisson_ratio", "youngs_modulus2", "poisson_ratio2"))]
+    return [number(value, name) for value, name in zip(given, ("youngs_modulus", "poisson_ratio", "youngs_modulus2", "poisson_ratio2"))]
 
 
 def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_modulus: float) -> Numbers:
@@ -47,7 +48,7 @@ def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_mo
 
     `conductivity` is the harmonic mean of both bodies [W/(m K) or S/m], `effective_modulus` in Pa. Without films and gap.
     """
-    given = (_number(conductivity, "conductivity"), _number(effective_modulus, "effective_modulus"))
+    given = (number(conductivity, "conductivity"), number(effective_modulus, "effective_modulus"))
     return _core.spot_conductance(numbers(stiffness, "stiffness"), *given)
 
 
@@ -81,7 +82,7 @@ OF_BODIES = {"effective_modulus", "poisson_ratio", "yield_strength", "hardness",
 
 
 class Contact(Shown):
-    """A contact with one law, of plain numbers in SI units or of a measured surface. A length may be a text such as "0.8 um".
+    """A contact with one law, of plain numbers in SI units or of a measured surface. A quantity may be a text such as "0.8 um" or have units.
 
     law                 one of law_names()
     surface             what measure() returned, or takes without options, in place of the numbers of the surface; laws that need a map take its heights
@@ -135,12 +136,13 @@ class Contact(Shown):
         if surface is None and missing and law in law_names():
             of_spectrum = "; hybrid, persson and plastic need rms_height and rms_gradient alone"
             raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface{of_spectrum}")
-        given = {name: _number(value, name) for name, value in values.items()}
+        values["effective_modulus"] = effective_modulus
+        given = {name: number(value, name) for name, value in values.items()}
         surface = measured_of(surface)
         if surface is not None and not isinstance(surface, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(surface).__name__}")
         measured = None if surface is None else surface._measured
-        self._core = _core.Contact.of_numbers(law, given, interaction, measured)
+        self._core = _core.Contact.of_numbers(word(law, "law"), given, word(interaction, "interaction"), measured)
         self._recipe = (_remade, (law, given, interaction, surface))
         warn_of_height(given.get("rms_height", 0.0))
         if given["effective_modulus"] < 1e3:
@@ -176,7 +178,8 @@ class Contact(Shown):
         smoothly, to p = K = 0 for an open contact. Of a map every law but "boundary_elements" has a table, with a
         relative_error of 1e-3 or less; of other surfaces it is 1e-7 or less.
         """
-        return Law(self._core.tabulate(min_pressure, max_pressure, outside))
+        ends = number(min_pressure, "min_pressure"), number(max_pressure, "max_pressure")
+        return Law(self._core.tabulate(*ends, word(outside, "outside")))
 
     def sensitivity(self, pressure: float) -> dict[str, float]:
         """dK/dx [Pa/m per SI unit of x] at constant `pressure` [Pa], for "pressure" and each number that the contact was made of.
@@ -187,7 +190,7 @@ class Contact(Shown):
         if make is not _remade or arguments[3] is not None:
             raise ValueError("sensitivity(): needs a contact of plain numbers")
         law, given, interaction, _ = arguments
-        return _core.sensitivity(law, given, interaction, pressure)
+        return _core.sensitivity(law, given, interaction, number(pressure, "pressure"))
 
     def plot(self, pressures: npt.ArrayLike = (1e5, 1e8), ax: Axes | None = None) -> Axes:
         """Draws K between the least and the greatest of `pressures` [Pa]; returns the axes."""
@@ -209,21 +212,8 @@ def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurem
     return Contact(law, surface=surface, interaction=interaction, **given)
 
 
-#: The numbers of a contact that may be texts with a unit.
-LENGTHS = {"rms_height", "peak_radius", "max_peak_height", "interaction_length"}
-
-
-def _number(value: Any, name: str) -> float:
-    """A number in SI units, or the number of metres of a text."""
-    if isinstance(value, str) and name in LENGTHS:
-        return metres(value, name)
-    return number(value, name, 'a length in m, or a text such as "0.5 um"' if name in LENGTHS else "a number in SI units")
-
-
 def _list(quantities: Sequence[str] | None) -> list[str] | None:
-    if isinstance(quantities, str):
-        raise ValueError(f'quantities = "{quantities}": must be a list of names')
-    return None if quantities is None else list(quantities)
+    return None if quantities is None else words(quantities, "quantities")
 
 
 class Path(NamedTuple):
@@ -258,7 +248,7 @@ class Law(Shown):
     @classmethod
     def from_text(cls, text: str) -> Law:
         """The law that to_text() wrote, here or in another language, bit for bit."""
-        return cls(_core.Law.from_text(text))
+        return cls(_core.Law.from_text(word(text, "text")))
 
     def to_text(self) -> str:
         """The law as text, for files and for other programs."""
@@ -341,11 +331,12 @@ class Law(Shown):
         slips = numbers(slip, "slip")
         if not (slips.ndim and slips.shape[-1] == 2):
             raise ValueError(f"slip: must have two numbers for each step, not the shape {slips.shape}")
-        steps = np.broadcast_shapes(np.shape(separation), slips.shape[:-1])
-        d = np.ascontiguousarray(np.broadcast_to(numbers(separation, "separation"), steps))
+        d = numbers(separation, "separation")
+        steps = np.broadcast_shapes(d.shape, slips.shape[:-1])
+        d = np.ascontiguousarray(np.broadcast_to(d, steps))
         if before is None:
             before = _core.Slip(d.flat[0] if d.size else 0.0)
-        of = (_number(friction, "friction"), _number(ratio, "ratio"))
+        of = (number(friction, "friction"), number(ratio, "ratio"))
         p, q, tangent, after = self._core.path(*of, before, d, np.ascontiguousarray(np.broadcast_to(slips, (*steps, 2))))
         energy = self._core.stored_energy(*of, after)
         return Path(p.reshape(steps), q.reshape(*steps, 2), tangent.reshape(*steps, 3, 3), energy, after)
@@ -356,7 +347,7 @@ class Law(Shown):
         import numpy as np
 
         both = np.broadcast_arrays(numbers(separation, "separation"), numbers(slip, "slip"))
-        first, second = call(_number(friction, "friction"), _number(ratio, "ratio"), *(np.ascontiguousarray(one) for one in both))
+        first, second = call(number(friction, "friction"), number(ratio, "ratio"), *(np.ascontiguousarray(one) for one in both))
         return first.reshape(both[0].shape), second.reshape(both[0].shape)
 
     def plot(self, ax: Axes | None = None) -> Axes:
@@ -389,6 +380,8 @@ def _evaluated(
     values = numbers(argument, name)
     if out is None:
         return [made if made.ndim else float(made) for made in call(values, [])]
+    if any(np.may_share_memory(one, other) for i, one in enumerate(out) for other in out[:i]):
+        raise ValueError("out: must be arrays that share no memory, one for each result")
     for one in out:
         if not (isinstance(one, np.ndarray) and one.dtype == np.float64 and one.flags.carray and one.shape == values.shape):
             raise ValueError(f"out: must be a writeable C-contiguous array of float64 with the shape {values.shape}")

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
+from typing import Any
 
 
 class FileError(ValueError, OSError):
@@ -21,4 +23,22 @@ def named(file: str | os.PathLike[str], what: str) -> str:
     name = os.fsdecode(file)
     if not name:
         raise ValueError(f"{what}: is an empty text; must name a file")
-    return name
+    return word(name, what)
+
+
+def word(given: Any, name: str, such: str = "a text") -> str:
+    """A text as the compiled part takes it."""
+    if not isinstance(given, str):
+        raise ValueError(f"{name}: must be {such}, not of type {type(given).__name__}")
+    try:
+        given.encode()
+    except UnicodeEncodeError:
+        raise ValueError(f"{name}: must be a text of Unicode, surrogates not allowed") from None
+    return given
+
+
+def words(given: Any, name: str) -> list[str]:
+    """A list of names."""
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise ValueError(f"{name} = {given!r:.60}: must be a list of names")
+    return [word(one, name) for one in given]

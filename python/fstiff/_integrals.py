@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from . import _core
-from ._results import numbers
+from ._results import number, numbers
 
 if TYPE_CHECKING:
     from ._results import Numbers
@@ -58,8 +58,9 @@ def peak_integral(
 
     if isinstance(kink, str) and kink != "unknown":
         raise ValueError(f'kink = "{kink}": must be a function of t, "unknown" or None')
+    of = [number(one, name) for one, name in ((r, "r"), (theta, "theta"), (eta, "eta"), (relative_tolerance, "relative_tolerance"))]
     of_kink = None if kink is None or isinstance(kink, str) else _checked(kink)
-    return Estimate(*_core.peak_integral(values, of_kink, kink == "unknown", float(r), float(theta), float(eta), float(relative_tolerance)))
+    return Estimate(*_core.peak_integral(values, of_kink, kink == "unknown", *of))
 
 
 def _checked(kink: Callable[[float], float]) -> Callable[[float], float]:

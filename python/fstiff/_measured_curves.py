@@ -8,11 +8,12 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
-from ._errors import named
+from ._errors import named, words
 from ._pictures import draw_fits
 from ._results import frame, lines_of, numbers, shown, text_table, with_unit
 from ._scenes import Scene, scene_of
 from ._surfaces import Document, options_of
+from ._units import si_unit
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -35,7 +36,7 @@ def _curve(given: Mapping[str, Any]) -> _core.Curve:
     if unknown or "pressure" not in given or ("stiffness" in given) == ("reflection" in given):
         raise ValueError("measured: must have the columns pressure, one of stiffness and reflection, and error if it is known")
     key = "reflection" if "reflection" in given else "stiffness"
-    error = numbers(given["error"], "error") if "error" in given else None
+    error = numbers(given["error"], "error", si_unit(key)) if "error" in given else None
     return _core.curve(numbers(given["pressure"], "pressure"), numbers(given[key], key), error, key == "reflection")
 
 
@@ -94,10 +95,8 @@ def identify(
     law        law to fit; by default contact.laws; without it plastic if the peaks yield, else hybrid
     wave       the kind of wave whose reflections were measured
     """
-    if isinstance(fit, str):
-        raise ValueError("fit: must be a list of names")
     made = scene_of(scene, surface)
-    own: dict[str, Any] = {"fit": list(fit), "law": law, "wave": wave}
+    own: dict[str, Any] = {"fit": words(fit, "fit"), "law": law, "wave": wave}
     if isinstance(measured, (str, os.PathLike)):
         return Identification(_core.identify(made._core, options_of({**own, "measured": named(measured, "measured")}), None))
     return Identification(_core.identify(made._core, options_of(own), _curve(measured)))

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from . import _core
+from ._units import held, in_si
 
 
 #: Its name in messages, the positions of the points and their unit; None where there are none.
@@ -79,14 +80,15 @@ def of_topography(topography: Any, name: str) -> tuple[Any, list[Axis], Any]:
     return heights, [("sizes", (0.0, size / max(points, 1)), lengths) for size, points in zip(sizes, heights.shape)], of_heights
 
 
-def of_xarray(array: Any, _: str) -> tuple[Any, list[Axis], Any]:
+def of_xarray(array: Any, source: str) -> tuple[Any, list[Axis], Any]:
     """The same. Dimensions called x and y are along x and y; else the last one is x."""
     if set(array.dims) == {"x", "y"}:
         array = array.transpose("y", "x")
     names = {dim: f"positions along {dim}" for dim in array.dims}
     of = array.coords
     axes = [(name, of[dim].values, of[dim].attrs.get("units")) if dim in of else (name, None, None) for dim, name in names.items()]
-    return array.values, axes, array.attrs.get("units")
+    quantity = held(array)  # of pint, in the array
+    return (array.values, axes, array.attrs.get("units")) if quantity is array else (in_si(quantity, source, "m"), axes, "m")
 
 
 def of_pandas(data: Any, _: str) -> tuple[Any, list[Axis], Any]:

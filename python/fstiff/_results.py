@@ -9,6 +9,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _core
+from ._units import in_si, si_unit
 
 if TYPE_CHECKING:
     import numpy as np
@@ -127,28 +128,44 @@ def _same(one: Any, other: Any) -> bool:
     return bool(one == other)
 
 
-def numbers(values: npt.ArrayLike, name: str) -> Numbers:
-    """`values` as an array of doubles; without a copy where they are one."""
+def numbers(values: Any, name: str, unit: str | None = None) -> Numbers:
+    """`values` as an array of doubles in SI, without a copy where they are one; `unit` is by default that of `name`."""
     import numpy as np
 
+    values = in_si(values, name, si_unit(name) if unit is None else unit)
     try:
         array = np.asarray(values)
     except ValueError:
         raise ValueError(f"{name}: must be real numbers, its rows equally long") from None
-    if array.dtype.kind not in "fiub":
-        found = "text: an array is in SI units" if array.dtype.kind == "U" else array.dtype
+    if array.dtype.kind not in "fiu":
+        found = "text" if array.dtype.kind == "U" else array.dtype
         raise ValueError(f"{name}: must be real numbers, not {found}")
     if np.ma.is_masked(values):
         raise ValueError(f"{name}: must not be masked; compressed() of the array leaves these points out")
     return np.asarray(array, dtype=np.float64, order="C")
 
 
-def number(value: Any, name: str, allowed: str = "a number in SI units") -> float:
-    """`value` as a double."""
+def number(value: Any, name: str) -> float:
+    """`value` as a double in SI."""
+    unit = si_unit(name)
+    value = in_si(value, name, unit)
     try:
         return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} = {value!r:.20}...: must be at most 1.8e308") from None
     except (TypeError, ValueError):
-        raise ValueError(f"{name} = {value!r}: must be {allowed}") from None
+        such = 'a length in m, or a text such as "0.5 um"' if unit == "m" else "a number in SI units" if unit else "a number"
+        raise ValueError(f"{name} = {value!r:.60}: must be {such}") from None
+
+
+def whole(value: Any, name: str, least: int, most: int) -> int:
+    """`value` as a whole number between two others."""
+    found = number(value, name)
+    if found < least:
+        raise ValueError(f"{name} = {value!r:.40}: must be {least} or greater")
+    if not (least <= found <= most and found == int(found)):
+        raise ValueError(f"{name} = {value!r:.40}: must be a whole number from {least} to {most}")
+    return int(found)
 
 
 def count_of(columns: Columns) -> str:
@@ -274,13 +291,13 @@ def draw(ax: Axes | None, x: str, y: str, lines: Sequence[Line]) -> Axes:
     ax = axes(ax)
     every: list[Any] = [np.concatenate([np.ravel(line[i]) for line in lines]) if lines else [] for i in (1, 2)]
     by_x, by_y = label_axes(ax, x, y, *every)
+    if np.size(every[0]) and np.min(every[0]) == np.max(every[0]) > 0:  # before matplotlib looks for limits
+        ax.set_xlim(every[0][0] * by_x / 2, every[0][0] * by_x * 2)
     for label, at, values, low, high in lines:
         (draw_band, width, marker) = (ax.vlines, 8, "o") if np.size(at) == 1 else (ax.fill_between, 0, None)
         (line,) = ax.plot(at * by_x, values * by_y, label=label or None, marker=marker)
         if low is not None and not np.all(np.isnan(low)):
             draw_band(at * by_x, low * by_y, high * by_y, alpha=0.2, color=line.get_color(), lw=width)
-    if np.size(every[0]) and np.min(every[0]) == np.max(every[0]) > 0:
-        ax.set_xlim(every[0][0] * by_x / 2, every[0][0] * by_x * 2)
     name_ticks(ax)
     if any(line[0] for line in lines):
         ax.legend(fontsize="small")

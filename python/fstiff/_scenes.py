@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
 from ._contacts import Contact
-from ._errors import named
+from ._errors import named, word
 from ._pictures import draw_curves
-from ._results import Columns, Table, draw, frame, heading, lines_of, shown, text_table, with_unit
+from ._results import Columns, Table, draw, frame, heading, lines_of, shown, text_table, whole, with_unit
 from ._surfaces import measured_of, options_of, with_surface
+from ._units import as_text, has_units
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -145,10 +146,12 @@ def _toml(value: Any, key: str, depth: int = 0) -> str:
         raise ValueError(f"{key}: must not be a {type(value).__name__}; surface= takes what measure() returned")
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
-    if hasattr(value, "tolist"):  # of NumPy
+    if has_units(value):
+        value = as_text(value, key)
+    elif hasattr(value, "tolist"):  # of NumPy
         value = value.tolist()
     if isinstance(value, str):
-        return json.dumps(value.encode().decode(), ensure_ascii=False).replace("\x7f", "\\u007f")
+        return json.dumps(word(value, key), ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int) and abs(value) < 2**63:
@@ -175,7 +178,7 @@ def text_or_file(scene: Given) -> tuple[str, str]:
         return _core.builtin_scene, ""
     if isinstance(scene, Mapping):
         return _toml(scene, "scene"), ""
-    return (scene, "") if isinstance(scene, str) and "\n" in scene else ("", named(scene, "scene"))
+    return (word(scene, "scene"), "") if isinstance(scene, str) and "\n" in scene else ("", named(scene, "scene"))
 
 
 @contextlib.contextmanager
@@ -226,10 +229,9 @@ class Scene:
 
     def contact(self, law: str | None = None, peaks: int = 0) -> Contact:
         """The contact of the scene with the law called `law` (None: its first; any, of a scene that names none), on entry `peaks` of contact.peaks, from 0."""
-        if peaks < 0:
-            raise ValueError(f"peaks = {peaks}: must be 0 or greater")
+        peaks = whole(peaks, "peaks", 0, 10**6)
         contact = Contact.__new__(Contact)
-        contact._core = self._core.contact(law or "", peaks)
+        contact._core = self._core.contact("" if law is None else word(law, "law"), peaks)
         contact._recipe = (_contact_of, (*self._made_of, law, peaks))
         return contact
 

@@ -17,7 +17,8 @@ from . import _core
 from ._errors import FileError, named
 from ._objects import grid_of, is_object, is_topography
 from ._pictures import draw_heights, draw_islands, draw_scales, draw_structure
-from ._results import Shown, Table, draw, frame, lines_of, numbers, shown, shown_rows, text_table, with_unit
+from ._results import Shown, Table, draw, frame, lines_of, number, numbers, shown, shown_rows, text_table, with_unit
+from ._units import has_units, in_si, si_unit
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -97,7 +98,7 @@ OF_FILES = {key for key, of_files in _core.surface_options().items() if of_files
 
 def metres(value: Any, name: str) -> float:
     """A length, or a text of one, in m."""
-    return _core.parse_length(value, name)
+    return _core.parse_length(in_si(value, name, "m") if has_units(value) else value, name)
 
 
 def warn_of_height(sigma: float, frames: int = 1) -> None:
@@ -124,14 +125,14 @@ class Surface(Shown):
     ) -> None:
         import numpy as np
 
-        array: Any = heights
+        array: Any = in_si(heights, name, "m") if has_units(heights) else heights
         if isinstance(array, np.ma.MaskedArray):
             array = np.ma.filled(array.astype(np.float64), np.nan)
         try:
             array = np.asarray(array)
             if array.dtype.kind == "O":  # None is missing
                 array = array.astype(np.float64)
-        except (TypeError, ValueError):
+        except (OverflowError, TypeError, ValueError):
             raise ValueError(
                 f"{name}: must be real numbers, the rows of a map equally long; several traces are a list of 1-D arrays"
             ) from None
@@ -144,7 +145,9 @@ class Surface(Shown):
         if self.heights.ndim not in (1, 2):
             raise ValueError(f"{name} have {self.heights.ndim} dimensions: must have 1 (a profile) or 2 (a map)")
         of_array: Any = spacing
-        if hasattr(of_array, "tolist"):  # of NumPy
+        if has_units(of_array):
+            spacing = in_si(of_array, "spacing", "m")
+        elif hasattr(of_array, "tolist"):  # of NumPy
             spacing = of_array.tolist()
         if isinstance(spacing, (tuple, list)):
             if len(spacing) != 2:
@@ -277,7 +280,7 @@ def options_of(options: dict[str, Any]) -> dict[str, Any]:
         elif name == "channel" and isinstance(value, int):
             made[name] = str(value)
         else:
-            made[name] = value
+            made[name] = in_si(value, name, si_unit(name)) if has_units(value) else value
     return made
 
 
@@ -462,7 +465,8 @@ class Measurement(Document):
         """The parameters, and K at `pressure` [Pa], with other cut-offs by factors of two, as `fstiff measure --scales` finds them."""
         arrays = self._origin.arrays()
         heights = _core.Heights(*arrays[0]) if arrays else _core.Heights(None, 0.0, 0.0, "", "")
-        return Scales(_core.scales(self._measured, heights, pressure, effective_modulus))
+        of = number(pressure, "pressure"), number(effective_modulus, "effective_modulus")
+        return Scales(_core.scales(self._measured, heights, *of))
 
     def to_dataframe(self) -> pd.DataFrame:
         """The parameters of a scene's [surface] with their standard errors and SI units, a parameter a row."""
@@ -703,4 +707,4 @@ def truth(
     import numpy as np
 
     made, heights = one_source(surface, options, points=points, edges=edges, hardness=hardness)
-    return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), effective_modulus))
+    return Truth(_core.truth(made, heights, np.atleast_1d(numbers(pressures, "pressures")), number(effective_modulus, "effective_modulus")))

@@ -7,14 +7,19 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
-from ._results import frame
+from ._results import frame, whole
 from ._scenes import Scene, _toml, lines_of_text, text_or_file
-from ._surfaces import measured_of, with_surface
+from ._surfaces import measured_of, warn_of_height, with_surface
+from ._units import as_text, has_units
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from ._scenes import Face, Given
+
+
+#: The keys of a face that are its height.
+HEIGHTS = {"rms_height", "Rq", "Sq", "Ra", "Sa"}
 
 
 def _is_real(values: Any) -> bool:
@@ -57,11 +62,12 @@ def sweep(
         scene, surface = scene._made_of
     if surface is not None and any(key.startswith("surface.") for key in axes):
         raise ValueError("axes: must not hold keys of [surface] together with surface=")
-    if threads is not None and threads < 1:
-        raise ValueError(f"threads = {threads}: must be 1 or greater")
+    threads = 0 if threads is None else whole(threads, "threads", 1, 4096)
     given: dict[str, Any] = {}
     numbers: dict[str, Any] = {}
     for key, values in axes.items():
+        if has_units(values):
+            values = as_text(values, f"axes: {key}")
         if _is_real(values):
             numbers[key] = np.array(values, dtype=np.float64)[1:]
             values = values[:1]  # which shows what kind of values they are
@@ -70,10 +76,12 @@ def sweep(
     text, file = text_or_file(scene)
     swept = _toml(given, "axes")
     with lines_of_text(scene):
-        found = with_surface(lambda *face: _core.sweep(text, file, swept, numbers, face[0], face[1], threads or 0), measured_of(surface))
+        found = with_surface(lambda *face: _core.sweep(text, file, swept, numbers, face[0], face[1], threads), measured_of(surface))
     columns: dict[str, Any] = {"index": found["index"].astype(np.int64)}
     for key, texts, values in found["axes"]:
         columns[key] = np.array(texts, dtype=object)[values.astype(int)] if texts else values
+        if key.rpartition(".")[2] in HEIGHTS and not texts:
+            warn_of_height(float(np.max(values, initial=0.0)))
     columns["law"] = np.array([law or None for law in found["laws"]], dtype=object)[found["law"].astype(int)]
     columns.update(found["columns"])
     if found["answer"].any():

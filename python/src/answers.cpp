@@ -12,6 +12,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -56,6 +57,11 @@ struct FaceInput {
     std::string process;
     std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured;
 
+    /// Whether a number of joint \p i is missing.
+    [[nodiscard]] bool has_gap(std::size_t i) const {
+        return std::any_of(numbers.begin(), numbers.end(),
+                           [i](const auto& column) { return std::isnan(column.second.data()[i]); });
+    }
     [[nodiscard]] JointFace at(std::size_t i) const {
         JointFace face;
         for (const auto& [name, value] : face_numbers)
@@ -201,6 +207,17 @@ struct Columns {
         for (const auto& one : found.concerns) names.emplace_back(name_of(one.concern));
         doubtful.push_back(found.doubtful ? 1 : 0);
     }
+    /// Joint \p i has no K at any pressure.
+    void put(const std::string& reason, std::size_t i, std::span<const double> at_pressures) {
+        for (std::size_t k = 0; k < pressures; ++k) {
+            const std::size_t place = i * pressures + k;
+            at("pressure_Pa", place) = at_pressures[k];
+            laws.emplace_back();
+            reasons[place] = reason;
+        }
+        concerns.emplace_back();
+        doubtful.push_back(1);
+    }
 };
 
 nb::dict dict_of(Columns& columns) {
@@ -215,7 +232,7 @@ nb::dict dict_of(Columns& columns) {
 
 nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<FaceInput>& other,
                  const std::pair<Solid, Solid>& bodies, const In& pressures, const Numbers& numbers,
-                 const std::vector<std::string>& quantities) {
+                 const std::vector<std::string>& quantities, bool is_table) {
     Columns columns{.count = count, .pressures = pressures.size()};
     {
         const nb::gil_scoped_release free;
@@ -237,7 +254,10 @@ nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<F
                 columns.put(answer(joint, numbers_of(pressures), how), i, wanted);
             } catch (const domain_error& error) {
                 const domain_error own = with_own_name(error);
-                throw count == 1 ? own : own.with_place({.file = "surface " + std::to_string(i)});
+                if (!is_table) throw own;
+                if (!face.has_gap(i) && !(other && other->has_gap(i)))
+                    throw own.with_place({.file = "surface " + std::to_string(i)});
+                columns.put(own.what(), i, numbers_of(pressures));
             }
         }
     }
@@ -259,12 +279,13 @@ void add_answers(nb::module_& m) {
         "answers",
         [](std::size_t count, const FaceInput& face, const std::optional<FaceInput>& other, const std::string& upper,
            const Numbers& of_upper, const std::string& lower, const Numbers& of_lower, const In& pressures,
-           const Numbers& numbers, const std::vector<std::string>& quantities) {
+           const Numbers& numbers, const std::vector<std::string>& quantities, bool is_table) {
             return answers(count, face, other, {solid_of(upper, of_upper, "upper"), solid_of(lower, of_lower, "lower")},
-                           pressures, numbers, quantities);
+                           pressures, numbers, quantities, is_table);
         },
         nb::arg("count"), nb::arg("face"), nb::arg("other").none(), nb::arg("upper"), nb::arg("of_upper"),
-        nb::arg("lower"), nb::arg("of_lower"), nb::arg("pressures"), nb::arg("numbers"), nb::arg("quantities"));
+        nb::arg("lower"), nb::arg("of_lower"), nb::arg("pressures"), nb::arg("numbers"), nb::arg("quantities"),
+        nb::arg("is_table"));
 }
 
 }  // namespace fstiff::python

@@ -15,6 +15,7 @@
 #include <nanobind/stl/shared_ptr.h>
 
 #include <optional>
+#include <stdexcept>
 #include <variant>
 
 namespace fstiff::python {
@@ -235,6 +236,15 @@ void add_surfaces(nb::module_& m) {
             return surface::parse_length(length, name);
         },
         nb::arg("value"), nb::arg("name"));
+    m.def(
+        "parse_quantity",
+        [](const std::string& text, const std::string& unit, const std::string& name) {
+            if (unit == "rad") return io::parse_angle(text, name);
+            for (const auto& [dimension, _] : names<io::Dimension>)
+                if (request::si_unit(dimension) == unit) return io::parse_quantity(text, dimension, name);
+            throw std::logic_error("no kind of quantity has the unit " + unit);
+        },
+        nb::arg("text"), nb::arg("unit"), nb::arg("name"));
     m.def("surface_options", [] {  // the keys of the table, and whether they are of files alone
         nb::dict keys;
         for (const surface::SurfaceOptionRow& row : surface::surface_option_table())

@@ -113,7 +113,8 @@ def test_a_length_may_be_a_text_and_what_is_no_number_is_named():
         ("rms_height", "0.8", "rms_height"),
         ("peak_radius", "40 Pa", "peak_radius"),
         ("rms_height", [1e-6, 2e-6], "rms_height = .*must be a length in m, or a text such as"),
-        ("effective_modulus", "112.6 GPa", "effective_modulus = '112.6 GPa': must be a number in SI units"),
+        ("effective_modulus", "112.6 um", 'effective_modulus = "112.6 um": "um" is not a unit of pressure'),
+        ("effective_modulus", None, "effective_modulus = None: must be a number in SI units"),
     ):
         with pytest.raises(ValueError, match=f"^{allowed}"):
             fstiff.Contact("hertz", **{**FINE, name: wrong})
@@ -305,8 +306,8 @@ def test_bad_laws_and_arrays_raise_value_errors():
         fstiff.Contact("boundary_elements", **FINE)
     with pytest.raises(ValueError, match="needs fractal_dimension"):
         fstiff.Contact("fractal", **FINE)
-    for bad in (["a"], [1j], [None]):
-        with pytest.raises(ValueError, match="pressures: must be real numbers"):
+    for bad, sentence in ((["a"], ' = "a": does not begin with a finite number'), ([1j], ": must be real"), ([None], ": must be real")):
+        with pytest.raises(ValueError, match=f"pressures{sentence}"):
             CONTACTS["hertz"].at_pressures(bad)
     with pytest.raises(ValueError, match="pressure = nan"):
         CONTACTS["hertz"].at_pressures(np.nan)
@@ -414,8 +415,8 @@ def test_a_slip_of_the_unit_is_refused_or_warned_of():
         contact.at_pressures(np.ma.array([1e6, 2e6], mask=[False, True]))
     unmasked = np.ma.array([1e6, 2e6], mask=[False, False])
     assert contact.at_pressures(unmasked) == contact.at_pressures([1e6, 2e6])
-    with pytest.raises(ValueError, match="youngs_modulus = '210 GPa': must be a number in SI units"):
-        fstiff.effective_modulus("210 GPa", 0.3, "210 GPa", 0.3)
+    with pytest.raises(ValueError, match='youngs_modulus = "210 N": "N" is not a unit of pressure'):
+        fstiff.effective_modulus("210 N", 0.3, "210 GPa", 0.3)
     with pytest.warns(UserWarning, match="effective_modulus of 112.6 Pa: below 1 kPa"):
         fstiff.Contact("hertz", **{**FINE, "effective_modulus": 112.6})
     law = contact.tabulate(1e5, 1e8, "extrapolate")

@@ -451,7 +451,7 @@ def test_every_option_of_the_table_is_a_keyword(key):
         (lambda z: fstiff.fit(fstiff.measure(z, spacing=1e-6)), "heights: must be an array or a list of arrays, not of type Meas"),
         (lambda z: fstiff.measure((one for one in z), spacing=1e-6), "heights: must be real numbers"),
         (lambda z: fstiff.measure(z[0], spacing=np.arange(96.0)), "spacing: must be one length, or (dx, dy)"),
-        (lambda z: fstiff.truth(z, "1 MPa", effective_modulus=1e11, spacing=1e-6), "pressures: must be real numbers, not text"),
+        (lambda z: fstiff.truth(z, "1 um", effective_modulus=1e11, spacing=1e-6), 'pressures = "1 um": "um" is not a unit of pressure'),
         (lambda z: fstiff.run(fstiff.Scene(), surface="a"), "surface: must not be given for a Scene"),
         (lambda z: fstiff.measure([fstiff.Surface(z, 1e-6), z], spacing=1e-6), "spacing: must not be given"),
         (lambda z: fstiff.fit([z[0], z[1]], spacing=1e-6), "arrays: must be one; measure() pools several"),
