@@ -507,7 +507,7 @@ class Snippets:
             self.environment["PATH"] = f"{folder}{os.pathsep}{os.environ['PATH']}"
         self.compiler = [options.compiler, "-std=c++20", *shlex.split(options.flags), f"-I{root / 'include'}"]
         self.compiler += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
-        self.compiler += [f"-D{one}" for one in options.definitions.split(",")] * bool(options.double)
+        self.compiler += [f"-D{one}" for one in options.definitions.split(",")] if options.double else []
         self.libraries = [options.double] * bool(options.double)
 
     def run(self, command, shown, fails=False):

