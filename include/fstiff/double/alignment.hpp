@@ -7,6 +7,8 @@
 /// EIGEN_MAX_ALIGN_BYTES and EIGEN_MAX_STATIC_ALIGN_BYTES, and a file with other numbers does not link: it refers to a
 /// function that the library has for its own numbers alone (docs/portability.md).
 
+#include <fstiff/core/config.hpp>
+
 #include <Eigen/Core>
 
 namespace fstiff::inline v0_1::detail {
