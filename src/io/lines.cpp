@@ -3,6 +3,8 @@
 
 #include "io/file_name.hpp"
 
+#include <algorithm>
+
 namespace fstiff::inline v0_1::io::detail {
 
 void refuse_line(const std::string& name, std::size_t line, std::initializer_list<Part> parts) {
@@ -25,11 +27,29 @@ namespace {
                        readable_forms(), "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page"});
 }
 
+constexpr std::size_t longest_line = std::size_t(1) << 20;
+
+/// Refuses text that is of no surface as soon as this shows, since it may have no end: a line that goes on, JSON apart,
+/// or no digit in 4 MiB. \p block is the last part of \p bytes.
+void require_lines(std::string_view block, const std::string& name, std::string_view bytes) {
+    constexpr std::size_t enough = std::size_t(1) << 22;
+    const std::size_t end = bytes.find_last_of("\n\r"), begin = end == std::string_view::npos ? 0 : end + 1;
+    const bool is_long = bytes.size() - begin > longest_line && bytes.front() != '{';
+    const bool is_empty = bytes.size() > enough && bytes.size() - block.size() <= enough &&
+                          bytes.find_first_of("0123456789") == std::string_view::npos;
+    if (!(is_long || is_empty) || may_hold_nul_bytes(bytes)) return;
+    if (is_empty) refuse_file(name, {"has no digit in its first 4 MiB; must hold numbers"});
+    const char end_of_line = bytes.find('\n') == std::string_view::npos ? '\r' : '\n';
+    const auto lines = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), end_of_line));
+    refuse_line(name, lines + 1, {"is longer than 2^20 characters; must be shorter"});
+}
+
 }  // namespace
 
 bool takes_more(std::string_view block, const std::string& name, std::string& bytes, std::uint64_t enough) {
     bytes += block;
     if (block.find('\0') != std::string_view::npos && !may_hold_nul_bytes(bytes)) return false;
+    require_lines(block, name, bytes);
     if (bytes.size() > most_bytes) refuse_file(name, {"is longer than 2^31 bytes (2 GiB); must be shorter"});
     return bytes.size() <= enough;
 }
@@ -73,14 +93,13 @@ std::string text_of(std::string bytes, const std::string& name, std::string_view
 }
 
 std::vector<Line> lines_of(std::string_view text, const std::string& name, std::size_t& count) {
-    constexpr std::size_t longest = std::size_t(1) << 20;
     const char end_of_line = text.find('\n') == std::string_view::npos ? '\r' : '\n';
     std::vector<Line> lines;
     count = 0;
     while (!text.empty()) {
         const std::size_t end = (std::min)(text.find(end_of_line), text.size());
         ++count;
-        if (end > longest) refuse_line(name, count, {"is longer than 2^20 characters; must be shorter"});
+        if (end > longest_line) refuse_line(name, count, {"is longer than 2^20 characters; must be shorter"});
         // a tab at the end of a line may be an empty cell: only blanks and carriage returns go
         std::string_view line = text.substr(0, end);
         while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);

@@ -53,7 +53,7 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t(1) << 31;
 bool takes_more(std::string_view block, const std::string& name, std::string& bytes, std::uint64_t enough);
 /// Appends the bytes of \p input, to its end, to somewhat more than \p enough, or to the end of the first block with a
 /// NUL byte of a text, not a binary form that is read: no reader takes that, and endless input ends there.
-/// \throws domain_error, file_error
+/// \throws domain_error for text without an end of line in 2^20 characters, or a digit in 4 MiB, file_error
 void append_bytes(std::istream& input, const std::string& name, std::string& bytes, std::uint64_t enough = most_bytes);
 /// The same of a file. A pipe is read while a program writes it, and is waited for 2 s to be; what else makes wait, a
 /// device, is refused. \return false where it cannot be opened

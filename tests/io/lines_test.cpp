@@ -6,6 +6,10 @@
 #include "support/catch.hpp"
 
 #include <sstream>
+#include <streambuf>
+#include <string>
+#include <tuple>
+#include <utility>
 
 namespace lines_test {
 
@@ -24,6 +28,51 @@ TEST_CASE("lines are trimmed, counted and left out when blank", "[lines]") {
     CHECK(lines_of("a\rb", "file", count).size() == 2);
     CHECK(test::refusal([&] { (void)lines_of("1\n" + std::string((1u << 20) + 1, '1'), "file", count); }) ==
           "file, line 2: is longer than 2^20 characters; must be shorter");
+}
+
+namespace {
+
+/// Endless input: a text, again and again.
+class Endless : public std::streambuf {
+public:
+    explicit Endless(std::string text) : text_(std::move(text)) {}
+    std::size_t read = 0;  ///< bytes
+
+protected:
+    int_type underflow() override {
+        setg(text_.data(), text_.data(), text_.data() + text_.size());
+        return traits_type::to_int_type(text_.front());
+    }
+    std::streamsize xsgetn(char* to, std::streamsize count) override {
+        for (std::streamsize i = 0; i < count; ++i) to[i] = text_[read++ % text_.size()];
+        return count;
+    }
+
+private:
+    std::string text_;
+};
+
+}  // namespace
+
+TEST_CASE("Endless text that holds no surface is refused after its first mebibytes", "[lines]") {
+    for (const auto& [text, sentence, most] :
+         {std::tuple("y", "endless, line 1: is longer than 2^20 characters; must be shorter", std::size_t(2) << 20),
+          std::tuple("1,", "endless, line 1: is longer than 2^20 characters; must be shorter", std::size_t(2) << 20),
+          std::tuple("y\n", "endless: has no digit in its first 4 MiB; must hold numbers", std::size_t(5) << 20)}) {
+        Endless buffer(text);
+        std::istream input(&buffer);
+        std::string bytes;
+        CHECK(test::refusal([&] { append_bytes(input, "endless", bytes); }) == sentence);
+        CHECK(buffer.read < most);
+    }
+    std::istringstream later("1\n2\n" + std::string((1u << 20) + (1u << 17), '3') + "\n4\n");
+    std::string bytes;
+    CHECK(test::refusal([&] { append_bytes(later, "later", bytes); }) ==
+          "later, line 3: is longer than 2^20 characters; must be shorter");
+    std::istringstream json("{" + std::string(3u << 20, ' ') + "}");  // of which one line may be the whole
+    bytes.clear();
+    append_bytes(json, "json", bytes);
+    CHECK(bytes.size() == (3u << 20) + 2);
 }
 
 TEST_CASE("a file is refused with its place as a field", "[lines]") {
