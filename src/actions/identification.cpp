@@ -5,12 +5,15 @@
 #include "actions/ultrasound.hpp"
 #include "document/shown_unit.hpp"
 
+#include <fstiff/answer/state_table.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace fstiff::actions {
@@ -116,15 +119,51 @@ std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, cons
     return points;
 }
 
+/// K by \p at under \p pressures, of which there are many: ln K over ln p by the polynomial through six of few
+/// pressures, within 1e-6; where that through four differs by 1e-4, or there is none, K itself.
+template <class Stiffness>
+std::vector<double> at_many(std::span<const double> pressures, const Stiffness& at) {
+    const auto [least, greatest] = std::minmax_element(pressures.begin(), pressures.end());
+    if (!(*least > 0)) return at(pressures);
+    const std::vector<double> nodes = detail::StateTable::pressures(*least, *greatest, 0.2);
+    std::vector<double> logs = at(nodes), stiffness(pressures.size()), others;
+    for (double& K : logs) K = std::log(K);
+    const double first = std::log(*least), step = (std::log(*greatest) - first) / static_cast<double>(nodes.size() - 1);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        const double place = step > 0 ? (std::log(pressures[i]) - first) / step : 0;
+        const auto node = static_cast<std::size_t>(std::clamp(place, 2.0, static_cast<double>(nodes.size()) - 4));
+        const double t = place - static_cast<double>(node);
+        const auto six = detail::lagrange_weights<-2, 3>(t);
+        const auto four = detail::lagrange_weights<-1, 2>(t);
+        const double* const around = &logs[node - 2];
+        const double log_K = std::inner_product(six.begin(), six.end(), around, 0.0),
+                     by_four = std::inner_product(four.begin(), four.end(), around + 1, 0.0);
+        if (std::abs(log_K - by_four) < 1e-4)
+            stiffness[i] = std::exp(log_K);
+        else
+            places.push_back(i), others.push_back(pressures[i]);
+    }
+    if (others.empty()) return stiffness;
+    const std::vector<double> exact = at(others);
+    for (std::size_t i = 0; i < places.size(); ++i) stiffness[places[i]] = exact[i];
+    return stiffness;
+}
+
 Identification<double> found_by(const Problem& problem, const Fit& fit, const detail::FitInputs& inputs) {
-    const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness);
+    const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness) &&
+                       inputs.data.size() <= detail::many_points;
     if (fit.law->fit && exact) return fit.law->fit(inputs);
     return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
                                                                     std::span<const double> pressures) {
-        std::vector<double> stiffness;
-        for (const auto& point : points_with(lean, *fit.law, x, inputs.parameters, pressures))
-            stiffness.push_back(point.ok() ? point.state.stiffness.value : std::numeric_limits<double>::quiet_NaN());
-        return stiffness;
+        const auto at = [&](std::span<const double> some) {
+            std::vector<double> stiffness;
+            for (const auto& point : points_with(lean, *fit.law, x, inputs.parameters, some))
+                stiffness.push_back(point.ok() ? point.state.stiffness.value
+                                               : std::numeric_limits<double>::quiet_NaN());
+            return stiffness;
+        };
+        return pressures.size() > detail::many_points ? at_many(pressures, at) : at(pressures);
     });
 }
 

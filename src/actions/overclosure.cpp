@@ -91,6 +91,10 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
         "greater than " + least_name + ", " + document::shortest(from) + " Pa" +
             (*least == *greatest && !(options.from && options.to) ? "; the scene has only one pressure" : ""));
 
+    constexpr double widest = 1e15;
+    if (!(to / from <= widest))
+        detail::refuse(most_name, to, 6, "at most 1e15 times " + least_name + ", " + document::shortest(from) + " Pa");
+
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};
     if (!scene.peaks.empty()) {

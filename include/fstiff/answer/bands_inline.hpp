@@ -15,6 +15,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace fstiff::inline v0_1::detail {
 
@@ -240,8 +241,9 @@ FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request)
     });
 }
 
-FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCurve>& curves,
-                                    const ProgressHook& progress) {
+/// add_bands() at every point of \p request.
+FSTIFF_INLINE std::size_t add_every_band(const Problem& problem, Request request, std::vector<LawCurve>& curves,
+                                         const ProgressHook& progress) {
     const std::vector<const Law*> laws = request.laws;
     std::erase_if(request.laws, [](const Law* law) { return !law->varies; });
     const Problem lean = lean_problem(problem, request);
@@ -284,6 +286,98 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
         if (!wide_anywhere) curve.band.clear(), curve.band_parts.clear();  // depends on no unknown
         next += request.points.size();
     }
+    return failed;
+}
+
+/// Weights of the polynomial through up to four of \p nodes around \p x, which rise, and the place of the first.
+FSTIFF_INLINE std::pair<std::size_t, std::vector<double>> weights_around(const std::vector<double>& nodes, double x) {
+    const std::size_t count = (std::min)(nodes.size(), std::size_t(4));
+    const auto above = std::upper_bound(nodes.begin(), nodes.end(), x) - nodes.begin();
+    const auto first = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(above - 2, 0, static_cast<std::ptrdiff_t>(nodes.size() - count)));
+    std::vector<double> weights(count, 1.0);
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t j = 0; j < count; ++j)
+            if (j != k) weights[k] *= (x - nodes[first + j]) / (nodes[first + k] - nodes[first + j]);
+    return {first, weights};
+}
+
+/// Gives \p curve the bands of \p few, which has some of its states: their ratios to K, and the parts, by cubics.
+/// \p x_of is the place of a point on a line, and \p nodes are the places of the points of \p few.
+template <class PlaceOnLine>
+void spread_bands(const LawCurve& few, const std::vector<std::size_t>& nodes, const PlaceOnLine& x_of,
+                  LawCurve& curve) {
+    using Band = SampledBand<double>;
+    using Parts = BandParts<double>;
+    constexpr double most = (std::numeric_limits<double>::max)() / 2;
+    if (few.band.empty()) return;
+    std::vector<double> x;
+    for (const std::size_t place : few.places) x.push_back(x_of(nodes[place]));
+    for (std::size_t i = 0; i < curve.states.size(); ++i) {
+        const auto [first, weights] = weights_around(x, x_of(curve.places[i]));
+        const auto mean = [&, &first = first, &weights = weights](const auto& value_of) {
+            double sum = 0;
+            for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * value_of(first + k);
+            return sum;
+        };
+        const auto end = [&](double Band::*member) {
+            const double log_ratio =
+                mean([&](std::size_t k) { return std::log(few.band[k].*member / few.states[k].stiffness.value); });
+            return std::isfinite(log_ratio) ? (std::min)(most, std::exp(log_ratio) * curve.states[i].stiffness.value)
+                                            : 0;  // no surface gives a value
+        };
+        curve.band.push_back({end(&Band::low), end(&Band::median), end(&Band::high), few.band[first].failed});
+        if (few.band_parts.empty()) continue;
+        Parts& parts = curve.band_parts.emplace_back();
+        for (double Parts::*low :
+             {&Parts::errors_low, &Parts::scale_low, &Parts::window_low, &Parts::prior_low, &Parts::shape_low})
+            parts.*low = (std::min)(0.0, mean([&](std::size_t k) { return few.band_parts[k].*low; }));
+        for (double Parts::*high :
+             {&Parts::errors_high, &Parts::scale_high, &Parts::window_high, &Parts::prior_high, &Parts::shape_high})
+            parts.*high = (std::max)(0.0, mean([&](std::size_t k) { return few.band_parts[k].*high; }));
+        for (std::size_t u = 0; u < unknown_count; ++u)
+            parts.of_unknown[u] = {
+                (std::min)(0.0, mean([&](std::size_t k) { return few.band_parts[k].of_unknown[u].low; })),
+                (std::max)(0.0, mean([&](std::size_t k) { return few.band_parts[k].of_unknown[u].high; }))};
+    }
+}
+
+FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCurve>& curves,
+                                    const ProgressHook& progress) {
+    if (request.points.size() <= many_points) return add_every_band(problem, std::move(request), curves, progress);
+    constexpr double step = 1.0 / 16;
+    const auto x_of = [&](std::size_t place) {
+        const double point = request.points[place];
+        return request.at_separations ? point / problem.face.parameters.rms_height.value : std::log(point);
+    };
+    std::vector<std::size_t> order(request.points.size()), nodes;
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return x_of(i) < x_of(j); });
+    std::vector<bool> kept(order.size());  // the ends of every curve
+    for (const LawCurve& curve : curves) {
+        const auto has_state = [&](std::size_t place) { return curve.state_at(place).has_value(); };
+        if (const auto first = std::find_if(order.begin(), order.end(), has_state); first != order.end())
+            kept[*first] = kept[*std::find_if(order.rbegin(), order.rend(), has_state)] = true;
+    }
+    for (const std::size_t place : order) {
+        const double apart = nodes.empty() ? step : x_of(place) - x_of(nodes.back());
+        if (apart >= (kept[place] ? step / 4 : step))
+            nodes.push_back(place);
+        else if (kept[place] && !kept[nodes.back()])
+            nodes.back() = place;
+    }
+    Request some = request;
+    some.points.clear();
+    for (const std::size_t place : nodes) some.points.push_back(request.points[place]);
+    std::vector<LawCurve> few;
+    for (const LawCurve& curve : curves) {
+        LawCurve& thin = few.emplace_back(LawCurve{.law = curve.law, .theta = curve.theta, .r = curve.r});
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+            if (const auto state = curve.state_at(nodes[k]))
+                thin.states.push_back(curve.states[*state]), thin.places.push_back(k);
+    }
+    const std::size_t failed = add_every_band(problem, std::move(some), few, progress);
+    for (std::size_t i = 0; i < curves.size(); ++i) spread_bands(few[i], nodes, x_of, curves[i]);
     return failed;
 }
 

@@ -233,23 +233,28 @@ FSTIFF_INLINE void fill_unknown(Face& face, bool shape_known) {
     if (!shape_known) fill_shape(face);
 }
 
+FSTIFF_INLINE HeightShape<double> with_value(const HeightShape<double>& shape, Unknown unknown, double value) {
+    auto [skewness, kurtosis] = shape;
+    if (unknown == Unknown::skewness) {
+        // the kurtosis goes along, as of heights with the density of a gamma distribution
+        kurtosis += 1.5 * (value * value - skewness * skewness);
+        skewness = value;
+    } else {
+        kurtosis = value;
+    }
+    skewness = std::clamp(skewness, -2.5, 2.5);
+    return {skewness, std::clamp(kurtosis, detail::least_kurtosis(skewness), (std::max)(20.0, shape.kurtosis))};
+}
+
 FSTIFF_INLINE Face with_value(Face face, Unknown unknown, double value) {
-    const auto set_shape = [&](double skewness, double kurtosis) {
-        skewness = std::clamp(skewness, -2.5, 2.5);
-        face.set_shape(
-            {skewness, std::clamp(kurtosis, detail::least_kurtosis(skewness), (std::max)(20.0, face.shape.kurtosis))});
-    };
-    const auto [skewness, kurtosis] = face.shape;
     switch (unknown) {
         case Unknown::height: face.parameters.rms_height.value = value; break;
         case Unknown::gradient: face.rms_gradient = value; break;
         case Unknown::alpha: face.alpha = value; break;
         case Unknown::hurst: face.hurst = value; break;
         case Unknown::hardness: break;  // of a body
-        case Unknown::skewness:  // the kurtosis goes along, as of heights with the density of a gamma distribution
-            set_shape(value, kurtosis + 1.5 * (value * value - skewness * skewness));
-            break;
-        case Unknown::kurtosis: set_shape(skewness, value); break;
+        case Unknown::skewness:
+        case Unknown::kurtosis: face.set_shape(with_value(face.shape, unknown, value)); break;
     }
     face.follow();
     return face;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -38,12 +39,18 @@ FSTIFF_INLINE void find_limit(const Problem& problem, const Request& request, co
     if (request.at_separations || !curve.law->varies || !curve.law->holds_when_crowded) return;
     double greatest = 0;
     for (const auto& state : curve.states) greatest = (std::max)(greatest, state.pressure.value);
+    const auto is_above = [&](const MissedPoint& missed) {
+        return missed.why != Miss::range && request.points[missed.place] > greatest;
+    };
+    double first = std::numeric_limits<double>::infinity();
+    for (const MissedPoint& missed : curve.missed)
+        if (is_above(missed)) first = (std::min)(first, request.points[missed.place]);
+    if (!std::isfinite(first)) return;
+    const double reach = reach_of(contact, first), hardness = hardness_of(problem);
+    if (!(reach > 0)) return;
+    const bool flowed = curve.law->needs_hardness && reach > 0.999 * hardness;
     for (MissedPoint& missed : curve.missed) {
-        const double pressure = request.points[missed.place];
-        if (missed.why == Miss::range || !(pressure > greatest)) continue;
-        const double reach = reach_of(contact, pressure), hardness = hardness_of(problem);
-        if (!(reach > 0)) return;
-        const bool flowed = curve.law->needs_hardness && reach > 0.999 * hardness;
+        if (!is_above(missed)) continue;
         missed.why = flowed ? Miss::hardness : Miss::closed;
         missed.limit = flowed ? hardness : reach;
     }
@@ -77,7 +84,7 @@ FSTIFF_INLINE void grow(const AnyContact& contact, LawCurve& curve) {
     constexpr double share = 0.6;
     std::vector<double> pressures;
     for (const ContactState<double>& state : curve.states) pressures.push_back(share * state.pressure.value);
-    const auto points = contact.at_pressures(pressures, Quantity::stiffness);
+    const auto points = points_of({.points = pressures}, *curve.law, contact, Quantity::stiffness);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double ratio = curve.states[i].stiffness.value / points[i].state.stiffness.value;
         if (!points[i].ok() || !(ratio > 0)) return curve.growth.clear();

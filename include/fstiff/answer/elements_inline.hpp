@@ -79,7 +79,7 @@ FSTIFF_INLINE HeightShape<double> farthest_shape(const Face& face) {
     for (const Prior& prior : face.priors)
         if (prior.which == Unknown::skewness)
             for (const double end : {prior.low, prior.high})
-                if (std::abs(end) > std::abs(shape.skewness)) shape = with_value(face, prior.which, end).shape;
+                if (std::abs(end) > std::abs(shape.skewness)) shape = with_value(face.shape, prior.which, end);
     return shape;
 }
 

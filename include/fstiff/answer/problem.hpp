@@ -297,6 +297,9 @@ struct ContactOfLaw {
 /// Calls \p visit with every law of \p laws and distribution of peaks; `make` lives as long as that call.
 void for_each_contact(const Problem& problem, const std::vector<const Law*>& laws, const ProgressHook& progress,
                       const std::function<void(const ContactOfLaw&)>& visit);
+/// Points above which states and bands are interpolated: states within 1e-7, from a table over ln p where it has them,
+/// ends of bands within 1e-3, except next to a hardness.
+inline constexpr std::size_t many_points = 1000;
 /// The states at the points of \p request; every point is independent, so that they may be computed in parts, one by
 /// one where \p law takes seconds for each, with \p progress called between them.
 [[nodiscard]] std::vector<ContactPoint<double>> points_of(const Request& request, const Law& law,
@@ -322,6 +325,8 @@ namespace fstiff::inline v0_1::detail {
 /// with a prior for each; the shape of the heights too unless \p shape_known. R or D_p that is not known follows.
 void fill_unknown(Face& face, bool shape_known);
 
+/// \p shape with its \p unknown, skewness or kurtosis, at \p value.
+[[nodiscard]] HeightShape<double> with_value(const HeightShape<double>& shape, Unknown unknown, double value);
 /// \p face with \p unknown at \p value, and with all that follows from it.
 [[nodiscard]] Face with_value(Face face, Unknown unknown, double value);
 

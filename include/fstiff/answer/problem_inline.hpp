@@ -6,6 +6,7 @@
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/state_table.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
 
 #include <algorithm>
@@ -237,9 +238,10 @@ FSTIFF_INLINE void for_each_contact(const Problem& problem, const std::vector<co
     }
 }
 
-FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request, const Law& law,
-                                                          const AnyContact& contact, Quantity quantities,
-                                                          const ProgressHook& progress) {
+/// points_of(), however many there are.
+FSTIFF_INLINE std::vector<ContactPoint<double>> every_point_of(const Request& request, const Law& law,
+                                                               const AnyContact& contact, Quantity quantities,
+                                                               const ProgressHook& progress) {
     const std::size_t part = law.varies ? 64 : 1;
     std::vector<ContactPoint<double>> points;
     if (request.parallel && !law.varies) {
@@ -261,6 +263,35 @@ FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request
         rest = rest.subspan(batch.size());
     }
     return points;
+}
+
+/// The states at \p pressures, of which there are many, by a StateTable; where it has none, those of \p compute.
+template <class Compute>
+std::vector<ContactPoint<double>> points_of_many(const std::vector<double>& pressures, const Compute& compute) {
+    const auto [least, greatest] = std::minmax_element(pressures.begin(), pressures.end());
+    const std::vector<double> nodes = StateTable::pressures(*least, *greatest);
+    const StateTable table(nodes, compute(nodes));
+    std::vector<ContactPoint<double>> points(pressures.size());
+    std::vector<std::size_t> places;
+    std::vector<double> others;
+    for (std::size_t i = 0; i < pressures.size(); ++i)
+        if (const auto state = table.at(pressures[i]))
+            points[i] = ContactPoint<double>::of(*state);
+        else
+            places.push_back(i), others.push_back(pressures[i]);
+    const std::vector<ContactPoint<double>> computed = compute(others);
+    for (std::size_t i = 0; i < places.size(); ++i) points[places[i]] = computed[i];
+    return points;
+}
+
+FSTIFF_INLINE std::vector<ContactPoint<double>> points_of(const Request& request, const Law& law,
+                                                          const AnyContact& contact, Quantity quantities,
+                                                          const ProgressHook& progress) {
+    if (!law.varies || request.at_separations || request.points.size() <= many_points)
+        return every_point_of(request, law, contact, quantities, progress);
+    return points_of_many(request.points, [&](const std::vector<double>& pressures) {
+        return every_point_of({.points = pressures}, law, contact, quantities, progress);
+    });
 }
 
 }  // namespace fstiff::inline v0_1::detail
