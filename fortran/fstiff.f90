@@ -97,7 +97,12 @@ module fstiff
         enumerator :: FSTIFF_PROCESS_UNKNOWN = 0, FSTIFF_PROCESS_GROUND, FSTIFF_PROCESS_TURNED, FSTIFF_PROCESS_MILLED, &
             FSTIFF_PROCESS_HONED, FSTIFF_PROCESS_LAPPED, FSTIFF_PROCESS_POLISHED, FSTIFF_PROCESS_BLASTED, FSTIFF_PROCESS_ERODED
     end enum
-    integer, parameter :: FSTIFF_CAUSES = 10
+    ! Places of a cause in a row of causes, counted from 0.
+    enum, bind(c)
+        enumerator :: FSTIFF_CAUSE_MEASUREMENT = 0, FSTIFF_CAUSE_CUT_OFFS, FSTIFF_CAUSE_SHAPE, FSTIFF_CAUSE_PRIOR, &
+            FSTIFF_CAUSE_LAY, FSTIFF_CAUSE_LAW, FSTIFF_CAUSE_CONTACTS, FSTIFF_CAUSE_LONG_WAVES, FSTIFF_CAUSE_HARDNESS, &
+            FSTIFF_CAUSE_NOISE, FSTIFF_CAUSES
+    end enum
     ! heights and options are c_loc of a target, or c_null_ptr; so are face and other of a joint.
     type, bind(c) :: fstiff_face
         integer(c_size_t) :: size = 128
@@ -431,6 +436,11 @@ module fstiff
             import
             type(c_ptr) :: text
         end function
+        function fstiff_cause_name_c(cause) bind(c, name="fstiff_cause_name") result(text)
+            import
+            integer(c_int), value :: cause
+            type(c_ptr) :: text
+        end function
         function fstiff_law_name_c(law) bind(c, name="fstiff_law_name") result(text)
             import
             integer(c_int), value :: law
@@ -526,6 +536,12 @@ contains
     function fstiff_message() result(text)
         character(:), allocatable :: text
         text = text_of(fstiff_last_message_c())
+    end function
+
+    function fstiff_name_of_cause(cause) result(text)
+        integer(c_int), intent(in) :: cause
+        character(:), allocatable :: text
+        text = text_of(fstiff_cause_name_c(cause))
     end function
 
     function fstiff_name_of_law(law) result(text)

@@ -64,8 +64,8 @@ enum {
 FSTIFF_API const char* fstiff_version(void);
 /** A status in words; "unknown status" for any other number. Never NULL. */
 FSTIFF_API const char* fstiff_strerror(int status);
-/** The reason for the last failure in this thread, in one sentence; or, if a measurement succeeded after it, its
- * warnings, a sentence a line. Never NULL; valid until the next call of this thread. */
+/** The reason for the last failure in this thread, in one sentence; or, if a measurement or an answer succeeded after
+ * it, its warnings, a sentence a line. Never NULL; valid until the next call of this thread. */
 FSTIFF_API const char* fstiff_last_message(void);
 
 #include "fstiff_answer.h"

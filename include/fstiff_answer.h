@@ -73,10 +73,20 @@ typedef struct fstiff_joint {
     unsigned int seed;   /**< of them; 0: 2014 */
 } fstiff_joint;
 
-/** Causes of a band: errors of the measurement, cut-offs, shape of the heights, what is assumed, lay, the law itself,
- * few contacts, waves longer than the measurement, the hardness,
- * noise of the instrument. */
-enum { FSTIFF_CAUSES = 10 };
+/** Causes of a band, in the order of their shares in a row of fstiff_answer_points.causes. */
+enum {
+    FSTIFF_CAUSE_MEASUREMENT = 0, /**< errors of the measured parameters */
+    FSTIFF_CAUSE_CUT_OFFS = 1,    /**< choice of lambda_s and of the form */
+    FSTIFF_CAUSE_SHAPE = 2,       /**< shape of the heights, which the measurement does not show */
+    FSTIFF_CAUSE_PRIOR = 3,       /**< what is assumed */
+    FSTIFF_CAUSE_LAY = 4,         /**< a profile does not show the length of ridges */
+    FSTIFF_CAUSE_LAW = 5,         /**< the law by itself */
+    FSTIFF_CAUSE_CONTACTS = 6,    /**< few contacts on the nominal area */
+    FSTIFF_CAUSE_LONG_WAVES = 7,  /**< waves longer than the measurement */
+    FSTIFF_CAUSE_HARDNESS = 8,    /**< of the softer body, where it is not known */
+    FSTIFF_CAUSE_NOISE = 9,       /**< of the instrument */
+    FSTIFF_CAUSES = 10
+};
 
 /** Destinations of an answer: arrays of `count` of the call, or NULL. */
 typedef struct fstiff_answer_points {
@@ -90,16 +100,20 @@ typedef struct fstiff_answer_points {
     double* contacts;             /**< expected on the nominal area, or on that of the heights; 0: not known */
     double* p_star;               /**< p/(E g); 0: not known */
     double* causes;               /**< FSTIFF_CAUSES shares of the band for each pressure, one row after the other */
-    int* law;                     /**< that gave K: fstiff_law_name() */
+    int* law;                     /**< that gave K: fstiff_law_name(); -1 without a K */
     int* status;                  /**< of each point */
 } fstiff_answer_points;
 
 /** The answer of `fstiff run` to a joint under pressures [Pa], > 0, to the last digit. A point without a K has its
  * status, and 0 in every array. Returns FSTIFF_OK, or the status of the first point without a K, with its reason as the
- * message. *doubtful, unless it is NULL, becomes 1 where the command would end with exit code 4. */
+ * message; where all have one, the message has the numbers that are likely in another unit, a sentence a line.
+ * *doubtful, unless it is NULL, becomes 1 where the command would end with exit code 4. */
 FSTIFF_API int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t count,
                              const fstiff_answer_points* points, int* doubtful);
 /** The name of a law of fstiff_answer(), such as "hybrid"; "unknown law" for any other number. Never NULL. */
 FSTIFF_API const char* fstiff_law_name(int law);
+/** The name of a cause, FSTIFF_CAUSE_..., as the JSON of `fstiff run` has it, such as "long_waves"; "unknown cause" for
+ * any other number. Never NULL. */
+FSTIFF_API const char* fstiff_cause_name(int cause);
 
 #endif /* FSTIFF_ANSWER_H */

@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from ._errors import word, words
 from ._results import Columns, count_of, draw, frame, heading, lines_of, number, numbers, shown, shown_rows, text_table, whole
-from ._surfaces import Measurement, measured_of, warn_of_height
+from ._surfaces import Measurement, measured_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -236,6 +237,6 @@ def answer(
     face = _face(own, measured, process, surfaces)
     face2 = None if other is None else _face(of_other, other_measured, other_process, surfaces)
     found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, words(quantities, "quantities"), bool(surfaces))
-    for name in {"height", "mean_height"} & set(own):
-        warn_of_height(float(np.max(own[name], initial=0.0, where=~np.isnan(own[name]))))
+    for sentence in found["units"]:
+        warnings.warn(sentence + "; numbers are in SI, or texts such as \"0.8 um\"", stacklevel=2)
     return Stiffness(found, p, surfaces, options.get("area"))

@@ -6,6 +6,7 @@
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/answer.hpp>
+#include <fstiff/answer/curves.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 
 #include <nanobind/stl/map.h>
@@ -18,6 +19,8 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 
 namespace fstiff::python {
 namespace {
@@ -44,9 +47,12 @@ constexpr FaceNumber face_numbers[]{{"height", &JointFace::rms_height},
 
 /// \p error with the package's name of the parameter.
 domain_error with_own_name(const domain_error& error) {
-    for (const auto& [name, own] :
+    constexpr std::string_view of_other = "other.";
+    const bool other = error.parameter().starts_with(of_other);
+    const std::string name(error.parameter().substr(other ? of_other.size() : 0));
+    for (const auto& [given, own] :
          {std::pair("rms_height", "height"), {"rms_gradient", "gradient"}, {"nominal_area", "area"}})
-        if (error.parameter() == name) return error.with_parameter(own);
+        if (name == given) return error.with_parameter((other ? "other." : "") + std::string(own));
     return error;
 }
 
@@ -168,6 +174,7 @@ struct Columns {
     std::map<std::size_t, std::string> reasons{};
     std::vector<std::vector<std::string>> concerns{};
     std::vector<int> doubtful{};
+    std::set<std::string> units{};  ///< sentences on numbers that are likely in another unit
 
     double& at(const std::string& key, std::size_t place) {
         std::vector<double>& column = numbers[key];
@@ -204,7 +211,10 @@ struct Columns {
             }
         }
         std::vector<std::string>& names = concerns.emplace_back();
-        for (const auto& one : found.concerns) names.emplace_back(name_of(one.concern));
+        for (const auto& one : found.concerns) {
+            names.emplace_back(name_of(one.concern));
+            if (std::string unit = fstiff::detail::sentence_of_unit(one); !unit.empty()) units.insert(std::move(unit));
+        }
         doubtful.push_back(found.doubtful ? 1 : 0);
     }
     /// Joint \p i has no K at any pressure.
@@ -227,6 +237,7 @@ nb::dict dict_of(Columns& columns) {
     for (const auto& [place, reason] : columns.reasons) reasons[nb::int_(place)] = reason;
     all["numbers"] = numbers, all["reasons"] = reasons;
     all["laws"] = columns.laws, all["concerns"] = columns.concerns, all["doubtful"] = columns.doubtful;
+    all["units"] = std::vector(columns.units.begin(), columns.units.end());
     return all;
 }
 

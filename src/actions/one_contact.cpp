@@ -72,6 +72,17 @@ double difference(const Number& number, double x, const F& f) {
     return (45 * (f(x + h) - f(x - h)) - 9 * (f(x + 2 * h) - f(x - 2 * h)) + (f(x + 3 * h) - f(x - 3 * h))) / (60 * h);
 }
 
+/// \p joint resolved; its one body has no name in refusals.
+detail::Problem problem_of_one(const Joint& joint) {
+    try {
+        return detail::problem_of(joint, {});
+    } catch (const domain_error& error) {
+        constexpr std::string_view body = "upper.";
+        const std::string_view name = error.parameter();
+        throw name.starts_with(body) ? error.with_parameter(std::string(name.substr(body.size()))) : error;
+    }
+}
+
 }  // namespace
 
 OneContact make_contact(const std::string& law, Joint joint, const ProgressHook& progress) {
@@ -86,7 +97,7 @@ OneContact make_contact(const std::string& law, Joint joint, const ProgressHook&
         throw domain_error(name + "peak_radius and peak_density" + (named->needs_radius() ? "" : ", or rms_gradient"));
     if (JointFace& face = joint.face; face.peak_radius && face.peak_density && !face.skewness && !face.bearing)
         face.skewness = 0, face.kurtosis = 3;
-    auto problem = std::make_shared<detail::Problem>(detail::problem_of(joint, {}));
+    auto problem = std::make_shared<detail::Problem>(problem_of_one(joint));
     if (named->has_peaks && problem->default_peaks && (has_radius || !joint.face.rms_gradient))
         throw domain_error(name + "r and theta" +
                            (joint.face.measured ? " of the surface: " + joint.face.measured->why_no_peaks : ""));

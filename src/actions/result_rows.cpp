@@ -120,7 +120,7 @@ Json answer_json(const Scene& scene, const Results& results) {
             row["stiffness_p95_N_per_m"] = std::min(band.high * *scene.nominal_area, 1e300);
         }
         for (const scene::Column& column : curve.columns)
-            if (column.quantity >= CurveQuantity::thermal_conductance &&
+            if (column.quantity >= CurveQuantity::tangential_stiffness &&
                 column.quantity <= CurveQuantity::electrical_resistance && !column.values.empty() &&
                 !std::isnan(column.values[i]))
                 row[column.key()] = column.values[i];
@@ -157,7 +157,7 @@ Json run_document(const Scene& scene, const Results& results) {
     document["answer"] = answer_json(scene, results);
     if (scene.ball) ball_rows(results).append_to(document["ball"] = Json::array());
     document["explanation"] = results.explanation;
-    document["assumptions"] = scene.assumptions;
+    document["assumptions"] = assumptions_of(scene, results);
     document["outside_band"] = outside_band(scene, results);
     if (const std::string next = measure_next(scene, results); !next.empty()) document["measure_next"] = next;
     document["effective_modulus_Pa"] = scene.effective_modulus;

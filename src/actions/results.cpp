@@ -94,7 +94,8 @@ std::string reason_of(const Scene& scene, const detail::MissedPoint& missed) {
     if (missed.why == detail::Miss::range)
         return "a result for " + document::shortest(scene.points[missed.place]) +
                " is beyond the range of double precision; the values of the scene must be less extreme";
-    return detail::reason_of(missed, document::with_unit(missed.limit, "Pa", 3));
+    return detail::reason_of(scene, missed, scene.points[missed.place],
+                             [](double pressure) { return document::with_unit(pressure, "Pa", 3); });
 }
 
 std::string laws_of(const Curve& curve) {
@@ -153,6 +154,13 @@ std::vector<const Curve*> shown_curves(const Results& results) {
     if (results.answer && named) shown.push_back(&results.answer->curve);
     for (const Curve& curve : results.curves) shown.push_back(&curve);
     return shown;
+}
+
+std::vector<std::string> assumptions_of(const Scene& scene, const Results& results) {
+    std::vector<std::string> assumptions = scene.assumptions;
+    if (results.answer)
+        assumptions.insert(assumptions.end(), scene.assumptions_of_answer.begin(), scene.assumptions_of_answer.end());
+    return assumptions;
 }
 
 bool has_band(const Results& results) {

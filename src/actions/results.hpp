@@ -63,6 +63,9 @@ struct Results {
 /// The curve of the answer, then those of the laws that are named.
 [[nodiscard]] std::vector<const Curve*> shown_curves(const Results& results);
 
+/// What was assumed of \p scene for \p results.
+[[nodiscard]] std::vector<std::string> assumptions_of(const scene::Scene& scene, const Results& results);
+
 /// Whether any curve has a band.
 [[nodiscard]] bool has_band(const Results& results);
 

@@ -134,7 +134,7 @@ void add_bodies(const Scene& scene, const Results& results, std::vector<InputLin
             parts.push_back("fluid film " + document::with_unit(waves.film_stiffness, "Pa/m") + " in parallel with K");
         lines.push_back({"waves", parts});
     }
-    if (!scene.assumptions.empty()) lines.push_back({"assumed", scene.assumptions});
+    if (const auto all = assumptions_of(scene, results); !all.empty()) lines.push_back({"assumed", all});
     if (std::string next = scene.best ? measure_next(scene, results) : ""; !next.empty())
         lines.push_back({"next", {std::move(next)}});
 }
@@ -167,30 +167,32 @@ std::string explanations(const Scene& scene, const Results& results) {
     return text;
 }
 
-std::string full_table(const Scene& scene, const Results& results) {
-    const Units units = units_of(scene, results);
-    std::string text = introduction(scene, results);
-    for (const Curve& curve : results.curves)
-        text += "\n" + title(curve) + "\n" + point_rows(results, curve, units).text();
-    const std::string notes = explanations(scene, results) +
-                              (scene.asks(CurveQuantity::real_area) ? "mean pressure is that on the real area\n" : "");
-    return notes.empty() ? text : text + "\n" + notes;
-}
-
-std::string label_of(const Curve& curve) {
-    if (!curve.by.empty()) return laws_of(curve);
+std::string label_of(const Scene& scene, const Curve& curve) {
+    if (!curve.by.empty()) return (scene.best ? "" : "answer: ") + laws_of(curve);
     return std::string(curve.law->name) +
            (curve.theta ? ", theta " + document::rounded(*curve.theta, 4) + ", r " + document::rounded(*curve.r, 4)
                         : "");
 }
 
-/// \p cell of every curve at every point of the summary, below \p what: in several tables where one is wider than the
-/// page.
+std::string full_table(const Scene& scene, const Results& results) {
+    const Units units = units_of(scene, results);
+    std::string text = introduction(scene, results);
+    for (const Curve* curve : shown_curves(results))
+        text += "\n" + (curve->by.empty() ? title(*curve) : label_of(scene, *curve)) + "\n" +
+                point_rows(results, *curve, units).text();
+    const std::string notes = explanations(scene, results) +
+                              (scene.asks(CurveQuantity::real_area) ? "mean pressure is that on the real area\n" : "");
+    return notes.empty() ? text : text + "\n" + notes;
+}
+
+/// \p cell of each of \p curves at every point of the summary, below \p what: in several tables where one is wider than
+/// the page.
 template <class Cell>
-std::string curve_tables(const Scene& scene, const Results& results, std::string what, const Cell& cell) {
+std::string curve_tables(const Scene& scene, const std::vector<const Curve*>& curves, std::string what,
+                         const Cell& cell) {
     std::size_t first =
         std::max<std::size_t>(28, document::shown_width(what));  // columns of all blocks begin at one place
-    for (const Curve& curve : results.curves) first = std::max(first, document::shown_width(label_of(curve)));
+    for (const Curve* curve : curves) first = std::max(first, document::shown_width(label_of(scene, *curve)));
     const auto padded = [&](std::string label) {
         return label + std::string(first - document::shown_width(label), ' ');
     };
@@ -198,9 +200,9 @@ std::string curve_tables(const Scene& scene, const Results& results, std::string
     const auto table = [&](std::span<const std::size_t> some) {
         document::TextRows rows{{padded(what)}};
         for (const std::size_t i : some) rows[0].push_back(shown_point(scene, i));
-        for (const Curve& curve : results.curves) {
-            rows.push_back({padded(label_of(curve))});
-            for (const std::size_t i : some) rows.back().push_back(cell(curve, i));
+        for (const Curve* curve : curves) {
+            rows.push_back({padded(label_of(scene, *curve))});
+            for (const std::size_t i : some) rows.back().push_back(cell(*curve, i));
         }
         return document::table_text(rows);
     };
@@ -216,12 +218,27 @@ std::string curve_tables(const Scene& scene, const Results& results, std::string
     return text;
 }
 
-/// \p quantity of every curve, of one that K gives with its band.
+std::vector<const Curve*> named_curves(const Results& results) {
+    std::vector<const Curve*> curves;
+    for (const Curve& curve : results.curves) curves.push_back(&curve);
+    return curves;
+}
+
+/// Whether \p quantity of the answer is in its own table, above all others.
+bool is_in_answer(CurveQuantity quantity) {
+    return quantity == CurveQuantity::stiffness || quantity == CurveQuantity::joint_stiffness ||
+           quantity == CurveQuantity::approach;
+}
+
+/// \p quantity of every curve, that of the answer first, of one that K gives with its band.
 std::string quantity_tables(const Scene& scene, const Results& results, const Units& units, CurveQuantity quantity) {
     const scene::Column column{quantity};
     const document::Heading heading = heading_of(column, units);
     const scene::OfStiffness of = column.row().of_stiffness;
-    const bool band = has_band(results) && of != scene::OfStiffness::none;
+    const std::vector<const Curve*> curves = is_in_answer(quantity) ? named_curves(results) : shown_curves(results);
+    const bool band =
+        of != scene::OfStiffness::none &&
+        std::any_of(curves.begin(), curves.end(), [](const Curve* curve) { return !curve->band.empty(); });
     const auto text = [reflection = of == scene::OfStiffness::falls && column.row().unit.empty()](double x,
                                                                                                   int digits) {
         const double rest = std::max(1 - x, 1e-15);  // 1 - |R| has two digits
@@ -229,7 +246,7 @@ std::string quantity_tables(const Scene& scene, const Results& results, const Un
                                  reflection ? 1 + std::max(2, static_cast<int>(std::ceil(-std::log10(rest)))) : digits);
     };
     return curve_tables(
-        scene, results, heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
+        scene, curves, heading.shown + (band ? ", 5 % to 95 %" : ""), [&](const Curve& curve, std::size_t i) {
             const auto value = [&](scene::Statistic statistic) {
                 const auto number = curve.value_at(i, quantity, statistic);
                 return number ? std::optional(*number * heading.factor) : number;
@@ -262,13 +279,12 @@ std::string blocks(const Scene& scene, const Results& results) {
     if (!scene.needs_stiffness()) shown = {separation, approach, real_area, contacts};
     std::string text;
     for (const CurveQuantity quantity : shown) {
-        if (scene.best && (quantity == stiffness || quantity == joint_stiffness || quantity == approach))
-            continue;  // in it
-        if (!scene.asks(quantity)) continue;
+        if (!scene.asks(quantity) || (scene.best && is_in_answer(quantity))) continue;
         text += "\n" + quantity_tables(scene, results, units, quantity);
     }
     if (!scene.needs_stiffness() || !results.answer || scene.best) return text;
-    return text + "\n" + curve_tables(scene, results, "K over the answer", [&](const Curve& curve, std::size_t i) {
+    return text + "\n" +
+           curve_tables(scene, named_curves(results), "K over the answer", [&](const Curve& curve, std::size_t i) {
                const Curve& answer = results.answer->curve;
                const auto mine = curve.state_at(i), best = answer.state_at(i);
                const double ratio = mine && best

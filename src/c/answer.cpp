@@ -3,6 +3,7 @@
 #include "c/measure.hpp"
 
 #include <fstiff/answer.hpp>
+#include <fstiff/answer/curves.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,7 @@ namespace fstiff::c {
 namespace {
 
 static_assert(FSTIFF_CAUSES == detail::cause_count);
+static_assert(FSTIFF_CAUSE_LAY == static_cast<int>(Cause::lay) && FSTIFF_CAUSE_NOISE == static_cast<int>(Cause::noise));
 static_assert(FSTIFF_PROCESS_ERODED == static_cast<int>(Process::eroded));
 
 JointFace face_of(const fstiff_face* given, const char* name) {
@@ -79,7 +81,7 @@ int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_poin
             const auto shares = shares_of(point.causes);
             std::copy(shares.begin(), shares.end(), to.causes + i * FSTIFF_CAUSES);
         }
-        if (to.law) to.law[i] = point.ok() ? static_cast<int>(point.law) : -1;
+        if (to.law) to.law[i] = static_cast<int>(point.law);
         const int status = point.ok() ? FSTIFF_OK : FSTIFF_OUT_OF_REACH;
         if (to.status) to.status[i] = status;
         if (status != FSTIFF_OK && first == FSTIFF_OK) first = status, set_message(point.reason);
@@ -110,6 +112,11 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
         if (from.seating != 0) options.seating = from.seating;
         const fstiff::Answer answer = fstiff::answer(assembly, std::span(pressures, count), options);
         if (doubtful) *doubtful = answer.doubtful ? 1 : 0;
+        std::string units;
+        for (const auto& check : answer.concerns)
+            if (const std::string sentence = fstiff::detail::sentence_of_unit(check); !sentence.empty())
+                units += (units.empty() ? "" : "\n") + sentence;
+        set_message(units);
         return give_points(answer.points, to);
     });
 }
@@ -117,4 +124,8 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
 const char* fstiff_law_name(int law) {
     constexpr int count = static_cast<int>(fstiff::names<fstiff::LawName>.size());
     return law >= 0 && law < count ? name_of(static_cast<fstiff::LawName>(law)).data() : "unknown law";
+}
+
+const char* fstiff_cause_name(int cause) {
+    return cause >= 0 && cause < FSTIFF_CAUSES ? name_of(static_cast<fstiff::Cause>(cause)).data() : "unknown cause";
 }

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 namespace fstiff::scene {
 namespace {
@@ -79,6 +80,16 @@ void warn_of_gradients(Scene& scene) {
             wrong ? surface::gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->source)]) : "";
         if (told || !line.empty()) scene.implausible = true;
         if (!line.empty()) scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
+    }
+}
+
+/// Warns of numbers that are likely in another unit; a measured height has a warning of its own.
+void warn_of_units(Scene& scene) {
+    const std::span<const double> pressures(scene.points.data(), scene.at_separations ? 0 : scene.points.size());
+    for (const Check<double>& check : unlikely_units(scene, pressures)) {
+        scene.implausible = scene.implausible || detail::makes_doubtful(check, pressures.size());
+        if (check.concern != Concern::height_unit || measured_files(scene).empty())
+            scene.warnings.push_back(detail::sentence_of_unit(check));
     }
 }
 
@@ -154,23 +165,43 @@ std::pair<std::string_view, double> key_and_value(const detail::Face& face, Unkn
     return {};
 }
 
-/// Puts on record the numbers that \p scene does not give, and that a law of it depends on.
-void take_assumed_numbers(Source& source, Scene& scene) {
-    if (scene.hardness_range && feels_hardness(scene, scene.laws)) {
-        source.record_default("material.hardness", "assumed", scene.hardness_range->middle, "Pa");
-        scene.assumptions.push_back(phrase_of_hardness(scene));
+/// Puts on record the numbers that \p scene does not give, and that one of \p laws of \p joint, which is that of the
+/// scene, depends on. \return phrases on them.
+std::vector<std::string> take_assumed(Source& source, const Scene& scene, const detail::Problem& joint,
+                                      const std::vector<const detail::Law*>& laws) {
+    std::vector<std::string> phrases;
+    const auto record = [&](const std::string& key, double value, std::string_view unit) {
+        if (std::none_of(source.inputs.begin(), source.inputs.end(),
+                         [&](const Input& input) { return input.key == key; }))
+            source.record_default(key, "assumed", value, unit);
+    };
+    if (joint.hardness_range && feels_hardness(joint, laws)) {
+        record("material.hardness", joint.hardness_range->middle, "Pa");
+        phrases.push_back(phrase_of_hardness(scene));
     }
     const bool one_face = scene.faces.empty();
     const std::vector<NamedFace> faces = named_faces(scene);
-    for (const auto& [place, prior] : felt_priors(scene, scene.laws)) {
+    for (const auto& [place, prior] : felt_priors(joint, laws)) {
         if (prior->origin == detail::Origin::measurement) continue;
         const NamedFace& named = faces[place];
         const auto [end, value] = key_and_value(*named.face, prior->which);
-        const std::string key = "surface." + (one_face ? "" : std::string(named.name) + ".") + std::string(end);
-        if (std::none_of(source.inputs.begin(), source.inputs.end(),
-                         [&](const Input& input) { return input.key == key; }))
-            source.record_default(key, "assumed", value);
-        scene.assumptions.push_back((one_face ? "" : std::string(named.name) + ": ") + phrase_of(*prior, *named.face));
+        record("surface." + (one_face ? "" : std::string(named.name) + ".") + std::string(end), value, "");
+        phrases.push_back((one_face ? "" : std::string(named.name) + ": ") + phrase_of(*prior, *named.face));
+    }
+    return phrases;
+}
+
+void take_assumed_numbers(Source& source, Scene& scene) {
+    for (std::string& phrase : take_assumed(source, scene, scene, scene.laws))
+        scene.assumptions.push_back(std::move(phrase));
+    if (scene.best) return;
+    detail::Problem joint = scene;
+    try {
+        const detail::Law& law = law_of_answer(joint, scene.at_separations);
+        for (std::string& phrase : take_assumed(source, scene, joint, {&law}))
+            if (std::count(scene.assumptions.begin(), scene.assumptions.end(), phrase) == 0)
+                scene.assumptions_of_answer.push_back(std::move(phrase));
+    } catch (const domain_error&) {  // no law answers
     }
 }
 
@@ -224,6 +255,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     for (const auto& [name, face, file] : named_faces(scene))
         warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);
+    warn_of_units(scene);
     if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);
     if (top.find("friction")) read_friction(source, top.subtable("friction"), scene);
     if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);

@@ -57,10 +57,11 @@ struct Scene : detail::Problem {
     std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured;
     int shifts = 1;  ///< of the lower map over the upper one
     std::vector<std::string> warnings;
-    bool implausible = false;  ///< some face has an rms gradient that no surface has: a unit of length is likely wrong
+    bool implausible = false;  ///< a number, such as the rms gradient of a face, is likely in another unit
 
     /// Phrases on what was assumed, such as "both bodies steel, 210 GPa"; printed with the answer.
     std::vector<std::string> assumptions;
+    std::vector<std::string> assumptions_of_answer;  ///< the others that it has, where laws are named
 
     const NamedMaterial *upper_name = nullptr, *lower_name = nullptr;  ///< null: numbers alone were given
 

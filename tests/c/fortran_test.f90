@@ -148,6 +148,8 @@ program fortran_test
         == FSTIFF_OK .and. count == 2, "band of a scene")
     call check(all(bits(separation(:2)) == bits(low)), "band of an answer")
     call check(fstiff_name_of_law(law_of_answer(1)) == fstiff_word_of_document(document, "answer.0.law"), "law by its name")
+    call check(fstiff_name_of_cause(FSTIFF_CAUSE_LONG_WAVES) == "long_waves", "cause by its name")
+    call check(FSTIFF_CAUSE_NOISE == FSTIFF_CAUSES - 1, "number of causes")
     call fstiff_document_free(document)
 
     fine%rms_height = -1

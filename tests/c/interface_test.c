@@ -617,7 +617,21 @@ static void test_answer(void) {
     of_scene(scene, "answer.*.loading_stiffness_Pa_per_m", wanted, 2);
     CHECK(loading[0] == wanted[0] && loading[1] == wanted[1]);
     of_scene(scene, "answer.*.causes.prior", wanted, 2);
-    CHECK(causes[3] == wanted[0] && causes[FSTIFF_CAUSES + 3] == wanted[1]);
+    CHECK(causes[FSTIFF_CAUSE_PRIOR] == wanted[0] && causes[FSTIFF_CAUSES + FSTIFF_CAUSE_PRIOR] == wanted[1]);
+    CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_MEASUREMENT), "measurement") == 0);
+    CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_LONG_WAVES), "long_waves") == 0);
+    CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_NOISE), "noise") == 0 && FSTIFF_CAUSE_NOISE + 1 == FSTIFF_CAUSES);
+    CHECK(strcmp(fstiff_cause_name(-1), "unknown cause") == 0 && strcmp(fstiff_cause_name(10), "unknown cause") == 0);
+    CHECK(strcmp(fstiff_last_message(), "") == 0);
+    face.mean_height = 0.8; /* micrometres */
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OK && doubtful == 1);
+    CHECK(strstr(fstiff_last_message(), "m is above 1 mm: a unit is likely wrong") != NULL);
+    face.mean_height = 0.8e-6;
+    joint.lower = (fstiff_solid){0};
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_REFUSED);
+    CHECK(strstr(fstiff_last_message(), "lower.youngs_modulus = 0: must be") != NULL);
+    joint.lower = (fstiff_solid){210e9, 0.3, 0, 3e9};
+    CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OK);
     CHECK(strcmp(fstiff_law_name(law[0]), "plastic") == 0 && status[1] == FSTIFF_OK);
     CHECK(strcmp(fstiff_law_name(-1), "unknown law") == 0 && strcmp(fstiff_law_name(999), "unknown law") == 0);
 

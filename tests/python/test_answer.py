@@ -110,10 +110,11 @@ def test_points_without_a_stiffness_and_concerns():
     soft = {"name": "steel", "hardness": 50e6}
     found = fstiff.answer(height=0.8e-6, gradient=0.1, upper=soft, pressures=PRESSURES)
     assert np.isnan(found.stiffness[2]) and found["law"][2] == "" and found.doubtful
-    assert found.reasons[(2,)].startswith("at the hardness") and "no_state" in found.concerns[0]
-    assert "warning: no state\nwarning: at the hardness" in repr(found)
+    reason = "1e+08 Pa is above the hardness (5e+07 Pa): the contact is closed"
+    assert found.reasons[(2,)] == reason and "no_state" in found.concerns[0]
+    assert f"warning: no state\nwarning: {reason}" in repr(found)
     none = fstiff.answer(height=0.8e-6, gradient=0.1, upper=soft, pressures=1e9)
-    assert np.isnan(none.stiffness) and np.isnan(none.low) and none.pressure == 1e9 and "at the hardness" in repr(none)
+    assert np.isnan(none.stiffness) and np.isnan(none.low) and none.pressure == 1e9 and "is above the hardness" in repr(none)
     assert "0 points" in repr(fstiff.answer(height=[], pressures=[1e6]))
 
 
@@ -169,3 +170,21 @@ def test_heights_in_another_unit_are_warned_of_where_they_were_given():
 def test_refusals(given, sentence):
     with pytest.raises(ValueError, match=sentence):
         fstiff.answer(**{"pressures": PRESSURES, **given})
+
+
+def test_numbers_in_another_unit_and_refusals_name_what_is_wrong():
+    with pytest.warns(UserWarning, match="pressure 10 Pa is below 1e-9 of the effective modulus, 115 Pa: a unit is likely wrong"):
+        found = fstiff.answer(height=0.8e-6, gradient=0.1, pressures=10, samples=0)
+    assert found.concerns == [["pressure_unit"]] and found.doubtful
+    soft = {"youngs_modulus": 205, "poisson_ratio": 0.3}
+    with pytest.warns(UserWarning, match="modulus 205 Pa is below 1 kPa"):
+        found = fstiff.answer(height=0.8e-6, gradient=0.1, upper=soft, pressures=1e7, samples=0)
+    assert "modulus_unit" in found.concerns[0]
+    for given, sentence in [
+        ({"lower": {"youngs_modulus": 0, "poisson_ratio": 0.3}}, "lower.youngs_modulus = 0: must be"),
+        ({"upper": {"name": "steel", "hardness": -1}}, "upper.hardness = -1: must be"),
+        ({"other": {"height": -1}}, "other.height = -1: must be"),
+        ({"other": {"gradient": 0.1}}, "other.height: is missing"),
+    ]:
+        with pytest.raises(ValueError, match=sentence):
+            fstiff.answer(**{"height": 0.8e-6, "gradient": 0.1, "pressures": 1e7, **given})

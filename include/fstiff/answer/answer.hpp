@@ -24,6 +24,7 @@
 #include <fstiff/topography/line_transform.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -48,9 +49,9 @@ struct AnswerOptions {
                               ///< the latter two report no progress then
 };
 
-/// A value between the 5 % and the 95 % end of its band.
+/// A value between the 5 % and the 95 % end of its band; NaN where there is none.
 struct Banded {
-    double low = 0, value = 0, high = 0;
+    double low = std::numeric_limits<double>::quiet_NaN(), value = low, high = low;
 };
 
 /// K at one pressure, and what follows from it where the joint has what it takes.
@@ -58,7 +59,7 @@ struct AnswerPoint {
     double pressure = 0;                           ///< [Pa]
     std::string reason{};                          ///< why there is no K; empty where there is one
     Banded stiffness{};                            ///< K of the nominal area [Pa/m]; without a band three equal numbers
-    LawName law{};                                 ///< that gave it
+    LawName law = LawName::none;                   ///< that gave it
     Causes<double> causes{};                       ///< of the band, in ln K: shares_of() are their shares
     std::optional<double> p_star{};                ///< p/(E g)
     std::optional<double> contacts{};              ///< expected on the nominal area, or on that of the measurement

@@ -27,12 +27,18 @@ namespace fstiff::inline v0_1 {
 
 namespace detail {
 
-FSTIFF_INLINE std::string reason_of(const MissedPoint& missed, const std::string& limit) {
+FSTIFF_INLINE std::string reason_of(const Problem& problem, const MissedPoint& missed, double pressure,
+                                    std::string (*text)(double pressure)) {
+    std::string unit;
+    for (const Check<double>& check : unlikely_units(problem, {})) unit += "; " + sentence_of_unit(check);
     switch (missed.why) {
         case Miss::law: return missed.reason;
         case Miss::range: return "a result is beyond the range of double precision";
-        case Miss::hardness: return "at the hardness, " + limit + ", and above it everything has flowed";
-        case Miss::closed: return "above " + limit + " the contact is closed and the bulk carries the load";
+        case Miss::hardness:
+            return text(pressure) + (pressure > missed.limit ? " is above the hardness (" : " reaches the hardness (") +
+                   text(missed.limit) + "): the contact is closed" + unit;
+        case Miss::closed:
+            return "above " + text(missed.limit) + " the contact is closed and the bulk carries the load" + unit;
     }
     return "";
 }
@@ -81,7 +87,9 @@ FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const L
     std::vector<AnswerPoint> points(pressures.size());
     for (const MissedPoint& missed : curve.missed)
         points[missed.place] = {.pressure = pressures[missed.place],
-                                .reason = reason_of(missed, detail::rounded_text(missed.limit, 3) + " Pa")};
+                                .reason = reason_of(problem, missed, pressures[missed.place], [](double pressure) {
+                                    return detail::rounded_text(pressure, 3) + " Pa";
+                                })};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerPoint& point = points[curve.places[i]];
         const double K = curve.states[i].stiffness.value;
@@ -134,9 +142,10 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
     const std::vector<const detail::Face*> faces = detail::measured_faces(problem);
     answer.across_lay =
         std::any_of(faces.begin(), faces.end(), [](const auto* face) { return face->is_taken_across(); });
-    answer.concerns = concerns_of(problem, curve);
-    answer.doubtful = std::any_of(answer.concerns.begin(), answer.concerns.end(), [](const Check<double>& check) {
-        return check.concern != Concern::missing_points && check.concern != Concern::noise;
+    answer.concerns = unlikely_units(problem, pressures);
+    for (const Check<double>& check : concerns_of(problem, curve)) answer.concerns.push_back(check);
+    answer.doubtful = std::any_of(answer.concerns.begin(), answer.concerns.end(), [&](const Check<double>& check) {
+        return detail::makes_doubtful(check, pressures.size());
     });
     if (const auto index = curve.state_at(pressures.size() / 2); options.next && index)
         if (const auto next = next_measurement(problem, request, curve, curves.facts, *index))

@@ -37,6 +37,7 @@ namespace fstiff::inline v0_1 {
 
 /// The laws of contact.
 enum class LawName {
+    none = -1,  ///< of a point without a result; it has no word
     fractal,
     fractal_consistent,
     hertz,

@@ -48,6 +48,15 @@ template <Real T>
 inline constexpr T max_elastic_plasticity_index = T(1);  ///< psi above which the peaks yield at first loading
 
 template <Real T>
+inline constexpr T max_plausible_height = T(1e-3);  ///< rms height [m] above which a unit is likely wrong
+
+template <Real T>
+inline constexpr T min_plausible_modulus = T(1e3);  ///< [Pa] below which a unit is likely wrong
+
+template <Real T>
+inline constexpr T min_plausible_pressure = T(1e-9);  ///< over the effective modulus, the same
+
+template <Real T>
 inline constexpr T min_contacts = T(10);  ///< on the nominal area, below which a mean over peaks is of little use
 
 /// psi for the yield strength Y [Pa] of the softer body. \throws domain_error naming what is not positive.
@@ -89,6 +98,9 @@ enum class Concern {
     above_hardness,          ///< the mean pressure on the real area exceeds 2.8 Y
     not_converged,           ///< the error of K is above 1e-6 K
     implausible_gradient,    ///< an rms gradient above 1 or below 1e-6: a unit of length is likely wrong
+    height_unit,             ///< an rms height above 1 mm: a unit is likely wrong
+    modulus_unit,            ///< a modulus below 1 kPa: the same
+    pressure_unit,           ///< pressures below 1e-9 of the effective modulus: the same
     unknown_height,          ///< sigma is not known to a factor of two
     lay,                     ///< a profile across a lay does not determine K, which may be so many times higher
     missing_points,          ///< of a map, whose numbers answer in its place
@@ -100,7 +112,7 @@ enum class Concern {
 
 /// The word of \p concern, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(Concern concern) {
-    constexpr std::array<std::string_view, 17> names{"plasticity",
+    constexpr std::array<std::string_view, 20> names{"plasticity",
                                                      "gaussian_surface",
                                                      "interacting_asperities",
                                                      "mean_planes_crossed",
@@ -110,6 +122,9 @@ enum class Concern {
                                                      "above_hardness",
                                                      "not_converged",
                                                      "implausible_gradient",
+                                                     "height_unit",
+                                                     "modulus_unit",
+                                                     "pressure_unit",
                                                      "unknown_height",
                                                      "lay",
                                                      "missing_points",

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string>
 #include <utility>
 
 namespace fstiff::inline v0_1::detail {
@@ -32,6 +34,49 @@ FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, 
     if (const auto& gradient = problem.face.rms_gradient; gradient && problem.face.gradient_error > *gradient / 2)
         parameters.push_back(Parameter::rms_gradient);
     return parameters;
+}
+
+FSTIFF_INLINE std::vector<Check<double>> unlikely_units(const Problem& problem, std::span<const double> pressures) {
+    std::vector<Check<double>> checks;
+    double height = 0, modulus = problem.effective_modulus;
+    for (const Face* face : rough_faces(problem)) height = (std::max)(height, face->parameters.rms_height.value);
+    if (problem.upper.youngs_modulus > 0)
+        modulus = (std::min)(problem.upper.youngs_modulus, problem.lower.youngs_modulus);
+    if (constexpr double limit = detail::max_plausible_height<double>; height > limit)
+        checks.push_back(detail::surface_check(Concern::height_unit, height, limit, false));
+    if (constexpr double limit = detail::min_plausible_modulus<double>; modulus < limit)
+        checks.push_back(detail::surface_check(Concern::modulus_unit, modulus, limit, false));
+    Check<double> low{.concern = Concern::pressure_unit,
+                      .limit = detail::min_plausible_pressure<double> * problem.effective_modulus};
+    for (std::size_t i = 0; i < pressures.size(); ++i) {
+        if (!(pressures[i] < low.limit)) continue;
+        low.least = (std::min)(low.least, pressures[i]), low.greatest = (std::max)(low.greatest, pressures[i]);
+        if (low.violations++ == 0) low.first = i;
+    }
+    if (!low.holds()) checks.push_back(low);
+    return checks;
+}
+
+FSTIFF_INLINE std::string sentence_of_unit(const Check<double>& check) {
+    const auto text = [](double value) { return detail::rounded_text(value, 3); };
+    const std::string value = text(check.least), wrong = ": a unit is likely wrong";
+    switch (check.concern) {
+        case Concern::height_unit: return "rms height " + value + " m is above 1 mm" + wrong;
+        case Concern::modulus_unit: return "modulus " + value + " Pa is below 1 kPa" + wrong;
+        case Concern::pressure_unit:
+            return "pressure " + value + " Pa is below 1e-9 of the effective modulus, " + text(check.limit) + " Pa" +
+                   wrong;
+        default: return "";
+    }
+}
+
+FSTIFF_INLINE bool makes_doubtful(const Check<double>& check, std::size_t points) {
+    switch (check.concern) {
+        case Concern::missing_points:
+        case Concern::noise: return false;
+        case Concern::pressure_unit: return check.violations == points;  // a curve may begin at a light load
+        default: return true;
+    }
 }
 
 FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve) {

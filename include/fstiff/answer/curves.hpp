@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,7 +29,7 @@ namespace fstiff::inline v0_1::detail {
 enum class Miss {
     law,       ///< by the reason that it gives
     range,     ///< a number is beyond the range of double precision
-    hardness,  ///< the pressure is at the hardness, and everything has flowed
+    hardness,  ///< the pressure reaches the hardness
     closed     ///< the contact is closed above a pressure
 };
 /// A point that a law does not reach.
@@ -38,8 +39,9 @@ struct MissedPoint {
     std::string reason{};  ///< of the law
     double limit = 0;      ///< the pressure of Miss::hardness and Miss::closed [Pa]
 };
-/// Why \p missed has no state; \p limit is its limit as a text with a unit.
-[[nodiscard]] std::string reason_of(const MissedPoint& missed, const std::string& limit);
+/// Why \p missed, at \p pressure [Pa], has no state; \p text is a pressure with its unit.
+[[nodiscard]] std::string reason_of(const Problem& problem, const MissedPoint& missed, double pressure,
+                                    std::string (*text)(double pressure));
 
 /// One law on one joint distribution of peaks, at every point that the law reaches.
 struct LawCurve {
@@ -149,6 +151,13 @@ namespace fstiff::inline v0_1::detail {
 /// The parameters of \p problem on which no result can rest, because they are not known to a factor of two; an answer
 /// rests on the rms height and the gradient alone.
 [[nodiscard]] std::vector<Parameter> unknown_parameters(const Problem& problem, bool of_answer);
+/// What of \p problem and of \p pressures [Pa] is likely in another unit: an rms height above 1 mm, a modulus below
+/// 1 kPa, pressures below 1e-9 of the effective modulus.
+[[nodiscard]] std::vector<Check<double>> unlikely_units(const Problem& problem, std::span<const double> pressures);
+/// "rms height 0.8 m is above 1 mm: a unit is likely wrong", of a check of unlikely_units().
+[[nodiscard]] std::string sentence_of_unit(const Check<double>& check);
+/// Whether \p check, which does not hold of an answer at \p points, makes it doubtful.
+[[nodiscard]] bool makes_doubtful(const Check<double>& check, std::size_t points);
 /// How far the states of \p curve by law plastic are beyond all that it was compared with; none: not at all.
 [[nodiscard]] std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve);
 /// The rms gradient of \p face, whose peaks have the correlation of the greatest entry of Problem::peaks, where no

@@ -102,10 +102,7 @@ FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::
         problem.effective_modulus = *modulus;
         problem.softer_poisson = upper.elastic.poisson_ratio;
         problem.yield_strength = upper.yield_strength;
-        take_hardness(upper, hardness_of(of_contact), problem);
-        require(!(problem.softer_poisson <= -1 || problem.softer_poisson > 0.5), "poisson_ratio",
-                problem.softer_poisson, "greater than -1 and at most 0.5");
-        return;
+        return take_hardness(upper, hardness_of(of_contact), problem);
     }
     problem.effective_modulus = effective_modulus(upper.elastic, lower.elastic);
     problem.upper = upper.elastic, problem.lower = lower.elastic;
@@ -193,6 +190,7 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
 }
 
 FSTIFF_INLINE const Law& possible_law(LawName law, const Problem& problem) {
+    if (name_of(law).empty()) throw domain_error("law: must be one of " + choices_text<LawName>());
     const Law& row = find_law(law);
     const std::string name = "law " + std::string(row.name) + ": ";
     if (row.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");

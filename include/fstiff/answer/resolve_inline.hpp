@@ -39,7 +39,9 @@ FSTIFF_INLINE void require_one(const JointFace& spec,
     const char* first = nullptr;
     for (const auto& [name, value] : names)
         if ((spec.*value).has_value()) {
-            if (first) throw domain_error(std::string(name) + ": must not be given with " + first);
+            if (first)
+                throw domain_error(
+                    Refusal{.parameter = name, .reason = std::string("must not be given with ") + first});
             first = name;
         }
 }
@@ -64,10 +66,13 @@ FSTIFF_INLINE void require_numbers(const JointFace& spec) {
             detail::refuse(row.key, *(spec.*value), row.range());
     }
     if (!spec.measured && !spec.rms_height && !spec.mean_height)
-        throw domain_error("rms_height: is missing; a face needs it, mean_height or a measured surface");
+        throw domain_error(Refusal{.parameter = "rms_height",
+                                   .reason = "is missing; a face needs it, mean_height or a measured surface"});
     if (spec.skewness.has_value() != spec.kurtosis.has_value())
-        throw domain_error("skewness: must be given with kurtosis, and kurtosis with it");
-    if (spec.skewness && spec.bearing) throw domain_error("bearing: must not be given with skewness");
+        throw domain_error(
+            Refusal{.parameter = "skewness", .reason = "must be given with kurtosis, and kurtosis with it"});
+    if (spec.skewness && spec.bearing)
+        throw domain_error(Refusal{.parameter = "bearing", .reason = "must not be given with skewness"});
     if (!spec.skewness) return;
     const double least = *spec.skewness * *spec.skewness + 1;  // of any distribution
     require(std::abs(*spec.skewness) <= most_skewness<double>, "skewness", *spec.skewness, "from -3 to 3");
@@ -79,9 +84,9 @@ FSTIFF_INLINE void require_numbers(const JointFace& spec) {
 FSTIFF_INLINE void require_errors(const JointFace& spec, const Face& face) {
     const auto check = [](std::string_view name, const Given& error, bool known) {
         if (!error) return;
-        if (!known) throw domain_error("error of " + std::string(name) + ": needs the number");
-        require(*error >= 0 && std::isfinite(*error), "error of " + std::string(name), *error,
-                "finite and not negative");
+        const std::string what = "error of " + std::string(name);
+        if (!known) throw domain_error(Refusal{.parameter = what, .reason = "needs the number"});
+        require(*error >= 0 && std::isfinite(*error), what, *error, "finite and not negative");
     };
     check("the height", spec.errors.height, true);
     check("the gradient", spec.errors.gradient,
@@ -237,15 +242,34 @@ FSTIFF_INLINE void require_surroundings(const Joint& joint) {
     require_between("amplitude", joint.friction->amplitude, 0);
 }
 
-FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) {
-    for (const Body* body : {&joint.upper, &joint.lower}) {
-        require_between("yield_strength", body->yield_strength, 0);
-        if (!body->hardness || *body->hardness != std::numeric_limits<double>::infinity())
-            require_between("hardness", body->hardness, 0);
-        if (const auto& range = body->hardness_range)
-            require(range->low > 0 && range->low <= range->middle && range->middle <= range->high, "hardness_range",
-                    range->middle, "between its ends, which are above 0");
+/// Returns \p call(); its errors name the parameter as a member of \p part.
+template <class Call>
+auto of_part(const std::string& part, const Call& call) {
+    try {
+        return call();
+    } catch (const domain_error& error) {
+        throw error.parameter().empty() ? error : error.with_parameter(part + "." + std::string(error.parameter()));
     }
+}
+
+/// \throws domain_error naming the member of \p body, whose modulus counts where \p elastic.
+FSTIFF_INLINE void require_body(const Body& body, bool elastic) {
+    const double nu = body.elastic.poisson_ratio;
+    if (elastic)
+        (void)effective_modulus(body.elastic, body.elastic);
+    else
+        require(!(nu <= -1 || nu > 0.5), "poisson_ratio", nu, "greater than -1 and at most 0.5");
+    require_between("yield_strength", body.yield_strength, 0);
+    if (!body.hardness || *body.hardness != std::numeric_limits<double>::infinity())
+        require_between("hardness", body.hardness, 0);
+    if (const auto& range = body.hardness_range)
+        require(range->low > 0 && range->low <= range->middle && range->middle <= range->high, "hardness_range",
+                range->middle, "between its ends, which are above 0");
+}
+
+FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) {
+    of_part("upper", [&] { require_body(joint.upper, !joint.effective_modulus); });
+    of_part("lower", [&] { require_body(joint.lower, !joint.effective_modulus); });
     require_between("nominal_area", joint.nominal_area, 0);
     require_between("effective_modulus", joint.effective_modulus, 0);
     require_between("gamma", options.gamma, 0, 1);
@@ -256,7 +280,7 @@ FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) 
     Problem problem;
     problem.face = face_of(joint.face);
     if (joint.other) {
-        problem.faces = {problem.face, face_of(*joint.other)};
+        problem.faces = {problem.face, of_part("other", [&] { return face_of(*joint.other); })};
         problem.face = sum_of_faces(problem.faces[0], problem.faces[1], joint.shifts, Request().seed);
     }
     take_bodies(joint.upper, joint.lower, joint.effective_modulus, problem);
