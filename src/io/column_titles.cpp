@@ -100,16 +100,11 @@ std::string_view without_comment_sign(std::string_view line, char separator) {
     return line;
 }
 
-namespace {
-
-/// Whether \p line is a key and a number, as "Pitch [um]: 0.5" is, and no title of one column.
 bool is_key_and_number(std::string_view line) {
     const std::size_t sign = line.find_first_of(",;\t:=");
     return sign != std::string_view::npos &&
            leading_number(trimmed(line.substr(sign + 1))).status != NumberStatus::no_number;
 }
-
-}  // namespace
 
 std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator,
                                        const FreeColumns& free) {
@@ -198,9 +193,6 @@ ColumnTitle title_of(std::string_view cell) {
             std::string(other_unit(cell))};
 }
 
-namespace {
-
-/// The titles in \p line; between blanks a unit in brackets belongs to the word before it.
 void split_titles(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     if (separator != ' ') return split_row(line, separator, cells);
     std::vector<std::string_view> words;
@@ -213,8 +205,6 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
         else
             cells.push_back(word);
 }
-
-}  // namespace
 
 std::vector<ColumnTitle> titles_above(const NumberTable& table) {
     std::vector<ColumnTitle> titles;

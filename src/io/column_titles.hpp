@@ -62,6 +62,12 @@ void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column
 /// for any; none where there are none.
 std::vector<ColumnTitle> titles_above(const NumberTable& table);
 
+/// The titles in \p line; between blanks a unit in brackets belongs to the word before it.
+void split_titles(std::string_view line, char separator, std::vector<std::string_view>& cells);
+
+/// Whether \p line is a key and a number, as "Pitch [um]: 0.5" is, and no title of one column.
+bool is_key_and_number(std::string_view line);
+
 /// Whether a column called \p name holds heights.
 bool names_height(std::string_view name);
 

@@ -89,7 +89,10 @@ std::vector<HeaderEntry> header_entries(const NumberTable& table) {
             add(line, at + words[0].size(), 1, table.lines[i].number);
             continue;
         }
-        if (sign == std::string_view::npos || sign == 0) continue;
+        if (sign == std::string_view::npos || sign == 0) {
+            if (!line.empty()) entries.push_back({"", std::string(line), table.lines[i].number});
+            continue;
+        }
         // "h=305 w=75": every word an entry
         const bool every_word = std::all_of(words.begin(), words.end(), [](std::string_view word) {
             const std::size_t equal = word.find('=');
@@ -107,6 +110,11 @@ const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, std::stri
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const HeaderEntry& entry) { return entry.key == key; });
     return found == entries.end() ? nullptr : &*found;
+}
+
+std::string shown_line(const HeaderEntry& entry) {
+    return "line " + std::to_string(entry.line) + ", which states " + printable(entry.key, 24) +
+           (entry.key.empty() ? "" : " ") + printable(entry.value, 40);
 }
 
 std::optional<StatedSpacing> stated_spacing(const std::vector<HeaderEntry>& entries) {
@@ -273,11 +281,8 @@ StatedScale stated_scale(const std::vector<HeaderEntry>& entries) {
     const HeaderEntry* const needed = find_entry(entries, "datascaleneeded");
     const std::string word = needed ? lower_case(needed->value) : "";
     if (word == "no") return {};
-    for (const HeaderEntry& entry : entries) {
-        if (!is_one_of_words(entry.key, height_scale_words)) continue;
-        const auto number = number_in(entry.value, false);
-        if (number && *number > 0 && std::isfinite(*number) && *number != 1) return {&entry, *number, word == "yes"};
-    }
+    for (const HeaderEntry& entry : entries)
+        if (const auto factor = height_factor(entry)) return {&entry, *factor, word == "yes"};
     return {};
 }
 
@@ -285,7 +290,7 @@ double require_scale(const std::vector<HeaderEntry>& entries, const std::string&
     const auto [entry, factor, needed] = stated_scale(entries);
     if (entry && !needed)
         refuse_line(name, entry->line,
-                    {"states ", shown_cell(entry->key), " ", factor,
+                    {"states ", shown_cell(entry->key.empty() ? entry->value : entry->key), " ", factor,
                      ", and not whether the heights are to be multiplied by it; must be ",
                      given_as(names, "units", "\"UNIT\""), ", in which the numbers are, such as \"10 nm\""});
     return factor;

@@ -12,9 +12,9 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-/// "key: value" or "key = value" of a header.
+/// "key: value" or "key = value" of a header, or another line of it.
 struct HeaderEntry {
-    std::string key;    // lower case, blanks for underscores
+    std::string key;    // lower case, blanks for underscores; empty for a line without a sign
     std::string value;  // with a decimal point
     std::size_t line;
 };
@@ -63,6 +63,12 @@ bool is_height_unit_key(const std::string& key);
 /// The unit of the positions along x, or \p along_y, by a header: of y that of x where it has none of its own; nullptr
 /// where it has none.
 const HeaderEntry* stated_axis_unit(const std::vector<HeaderEntry>& entries, bool along_y = false);
+
+/// The line of \p entry, for messages: "line 6, which states ...".
+std::string shown_line(const HeaderEntry& entry);
+
+/// The factor of the heights that \p entry states (io/height_sense.hpp); none for 1, and for other lines.
+std::optional<double> height_factor(const HeaderEntry& entry);
 
 /// A number that the heights may have to be multiplied by, such as "Z scale: 10"; nullptr where there is none but 1.
 /// Nova states whether ("DataScaleNeeded = no").

@@ -93,27 +93,6 @@ inline constexpr std::array<std::string_view, 23> x_unit_words{
 inline constexpr std::array<std::string_view, 11> y_unit_words{"y unit",      "y-unit",    "unit y",   "units y",
                                                                "y units",     "y-units",   "yunit",    "yunits",
                                                                "y axis unit", "y-einheit", "einheit y"};
-// factors of the heights
-inline constexpr std::array<std::string_view, 20> height_scale_words{"scale data",
-                                                                     "data scale",
-                                                                     "scale z",
-                                                                     "z scale",
-                                                                     "z-scale",
-                                                                     "height scale",
-                                                                     "z factor",
-                                                                     "z-factor",
-                                                                     "factor z",
-                                                                     "height factor",
-                                                                     "z multiplier",
-                                                                     "height multiplier",
-                                                                     "multiplication factor",
-                                                                     "data factor",
-                                                                     "factor",
-                                                                     "faktor",
-                                                                     "multiplier",
-                                                                     "scale factor",
-                                                                     "scalefactor",
-                                                                     "scaling factor"};
 inline constexpr std::array<std::string_view, 3> rows_words{"vertical", "vertikal", "\xEC\x84\xB8\xEB\xA1\x9C"};
 
 /// Whether \p key is \p word, in UTF-8 or in an 8-bit code page.

@@ -11,6 +11,7 @@ const NumberTable& MapTable::table(std::string_view missing) {
     if (axes_ && axes_->in_table && states_other_count()) axes_.reset();
     titles_ = titles_above(table_);
     titles_.resize(table_.columns);
+    written_ = written_titles(table_);
     for (std::size_t c = 1; c <= table_.columns; ++c) columns_.push_back(c);
     if (const auto index = axes_ || is_zygo() ? std::vector<bool>() : index_columns(table_); !index.empty()) {
         std::vector<std::size_t> kept;
@@ -85,7 +86,7 @@ std::size_t MapTable::height_column() const {
     std::vector<std::size_t> named, with_unit;
     for (std::size_t c = 2; c < columns_.size(); ++c) {
         const ColumnTitle& title = titles_[columns_[c] - 1];
-        if (names_height(title.name)) named.push_back(c);
+        if (names_height(title.name) || names_depth(title.name)) named.push_back(c);
         if (title.has_unit) with_unit.push_back(c);
     }
     const auto& found = named.size() == 1 ? named : with_unit;

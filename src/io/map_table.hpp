@@ -8,7 +8,7 @@
 ///
 /// Units       those of the file
 
-#include "io/header.hpp"
+#include "io/height_sense.hpp"
 #include "io/matrix_axes.hpp"
 #include "io/regular_grid.hpp"
 
@@ -61,8 +61,9 @@ protected:
     std::vector<HeaderEntry> entries_;
     std::optional<std::optional<Grid>> grid_;  // empty until it is sought
     std::optional<MatrixAxes> axes_;
-    std::vector<ColumnTitle> titles_;   // of all columns of the file
-    std::vector<std::size_t> columns_;  // of the file, counted from 1, that the table holds
+    std::vector<ColumnTitle> titles_;    // of all columns of the file
+    std::vector<WrittenTitle> written_;  // the same as written
+    std::vector<std::size_t> columns_;   // of the file, counted from 1, that the table holds
 };
 
 }  // namespace fstiff::inline v0_1::io::detail

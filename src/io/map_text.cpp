@@ -89,8 +89,8 @@ private:
         RawMap map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
-        mark_missing(z.data(), z.size(), table_.missing, name_, options_.names, height_unit_,
-                     [&](std::size_t r) { return table_.row_lines[r]; });
+        mark_missing(z.data(), z.size(), table_.missing, table_.wholes[columns_[2] - 1].value(), name_, options_.names,
+                     height_unit_, [&](std::size_t r) { return table_.row_lines[r]; });
         refuse_thousands(table_, used_columns(), false, name_);
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
         record_.resolution = table_.printed[2].resolution() * z_unit;
@@ -98,6 +98,7 @@ private:
         map.columns = x.count;
         map.heights = heights_on(*grid(), table_, name_);
         for (double& height : map.heights) height *= z_unit;
+        turn_over(map, written_[columns_[2] - 1], entries_, name_, record_);
         notes_.size_from = "steps of x and y";
         map.dx = step_of(x, x_unit, stated_.dx);
         map.dy = step_of(y, y_unit, stated_.dy);
@@ -124,6 +125,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k) free[columns_[k] - 1] = false;
         if (titles_.size() == 3) free.clear();
         const TitleUnits found = title_units(table_, titles_.size(), free);
+        for (std::size_t k = 0; k < 3; ++k) check_factor(written_[columns_[k] - 1], k == 2, options_, name_, record_);
+        const double factor = factor_of_heights(entries_, options_, name_, record_);
         std::array<std::string, 3> used, stated;
         if (!found.units.empty())
             for (std::size_t k = 0; k < 3; ++k) stated[k] = found.units[columns_[k] - 1];
@@ -157,7 +160,7 @@ private:
         notes_.units =
             "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
         return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
-                unit_factor(used[2], Dimension::length)};
+                unit_factor(used[2], Dimension::length) * factor};
     }
 
     /// The units of x, y and the heights by the entries of the header, where it states all.
@@ -204,8 +207,10 @@ private:
         map.dx = spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns);
         map.dy = spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows);
         const double unit = value_unit();
-        mark_missing(table_.values.data(), table_.values.size(), table_.missing, name_, options_.names, height_unit_,
-                     [&](std::size_t i) { return table_.row_lines[i / columns]; });
+        LoneWhole whole;
+        for (const std::size_t c : used_columns()) whole.add(table_.wholes[c]);
+        mark_missing(table_.values.data(), table_.values.size(), table_.missing, whole.value(), name_, options_.names,
+                     height_unit_, [&](std::size_t i) { return table_.row_lines[i / columns]; });
         refuse_thousands(table_, used_columns(), true, name_);
         for (std::size_t c = 0; c < std::min<std::size_t>(table_.printed.size(), 3); ++c)
             record_.resolution = (std::max)(record_.resolution, table_.printed[c].resolution() * unit);
@@ -213,6 +218,7 @@ private:
         map.columns = columns;
         map.heights = std::move(table_.values);
         for (double& z : map.heights) z *= unit;
+        turn_over(map, {}, entries_, name_, record_);
         return map;
     }
 

@@ -68,8 +68,7 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
                 unit.contradicted = "line " + std::to_string(entry.line) +
                                     ", which states a height conversion factor of " + printable(entry.value, 24);
             else if (unit.contradicted.empty() && &entry == stated_scale(entries).entry)
-                unit.contradicted = "line " + std::to_string(entry.line) + ", which states " +
-                                    printable(entry.key, 24) + " " + printable(entry.value, 16);
+                unit.contradicted = shown_line(entry);
             else if (unit.contradicted.empty() && is_height_unit_key(entry.key) &&
                      is_unit(entry.value, Dimension::length) &&
                      unit_factor(entry.value, Dimension::length) != unit.factor)

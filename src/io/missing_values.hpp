@@ -7,6 +7,7 @@
 /// A number is suspected that is the highest or the lowest of all, and lies beyond the range of the rest by
 ///     10 times that range, where it is there twice or more;
 ///     a quarter of that range, where it is also one that instruments and programs use so (-9999, -32768, 1e20).
+/// So is one of these that is there twice and is the only number without decimals.
 /// A plateau, such as that of heights beyond the range of an instrument, adjoins the rest and is not suspected.
 ///
 /// Units       those of the file
@@ -47,34 +48,79 @@ struct MissingValues {
 /// "-9999", "-32768,void" or "none". \throws domain_error for an empty one.
 MissingValues given_missing(std::string_view text, const std::string& name);
 
+/// The number of a column that alone is printed without decimals.
+class LoneWhole {
+public:
+    /// \p value is what fills \p cell.
+    void add(std::string_view cell, double value) {
+        if (cell.find_first_of(".,") != std::string_view::npos)
+            decimals_ = true;
+        else if (std::isnan(value_))
+            value_ = value;
+        else
+            others_ = others_ || value != value_;
+    }
+    void add(const LoneWhole& other) {
+        decimals_ = decimals_ || other.decimals_;
+        others_ = others_ || other.others_ || (other.value_ != value_ && !std::isnan(other.value_ + value_));
+        if (std::isnan(value_)) value_ = other.value_;
+    }
+    /// NaN where there is none, or several.
+    [[nodiscard]] double value() const {
+        return decimals_ && !others_ ? value_ : std::numeric_limits<double>::quiet_NaN();
+    }
+
+private:
+    double value_ = std::numeric_limits<double>::quiet_NaN();
+    bool others_ = false, decimals_ = false;
+};
+
 /// A number that may mark missing points.
 struct Suspect {
     double value{};
     std::size_t times{}, first{};  // how often, and where first
     double low{}, high{};          // the range of the rest
+    bool among{};                  // it is within that range, alone without decimals
 };
 
-/// The number among the \p count heights that may mark missing points; none when all look like heights.
-std::optional<Suspect> suspected_missing(const double* heights, std::size_t count);
+/// The number among the \p count heights that may mark missing points; none when all look like heights. \p whole is the
+/// only one that is printed without decimals, NaN for none.
+std::optional<Suspect> suspected_missing(const double* heights, std::size_t count,
+                                         double whole = std::numeric_limits<double>::quiet_NaN());
 
 /// Makes NaN of the heights that \p missing names; when it names none, \throws domain_error for a suspected one.
-/// \p line_of(i) is the line of height i, \p unit what their numbers are in.
+/// \p whole as above, \p line_of(i) is the line of height i, \p unit what their numbers are in.
 template <class LineOf>
-void mark_missing(double* heights, std::size_t count, const MissingValues& missing, const std::string& name,
-                  const OptionNames& names, const std::string& unit, const LineOf& line_of) {
+void mark_missing(double* heights, std::size_t count, const MissingValues& missing, double whole,
+                  const std::string& name, const OptionNames& names, const std::string& unit, const LineOf& line_of) {
     if (!missing.numbers.empty())
         for (std::size_t i = 0; i < count; ++i)
             if (missing.has(heights[i])) heights[i] = std::numeric_limits<double>::quiet_NaN();
     if (missing.from == "options") return;
-    const auto found = suspected_missing(heights, count);
+    const auto found = suspected_missing(heights, count, whole);
     if (!found) return;
     const std::string value = number_text(found->value);
     refuse_line(name, line_of(found->first),
-                {"height ", value, " ", unit, " is here",
+                {"height ",
+                 value,
+                 " ",
+                 unit,
+                 " is here",
                  (found->times == 1 ? std::string() : " and " + std::to_string(found->times - 1) + " times more"),
-                 ", far outside the others, which are ", found->low, " to ", found->high, " ", unit,
-                 "; a number that marks missing points must be ", given_as(names, "missing", "\"" + value + "\""),
-                 ", and true heights confirmed by ", names.prefix, "missing", names.equals, "none"});
+                 found->among ? ", alone without decimals among " : ", far outside ",
+                 "the others, which are ",
+                 found->low,
+                 " to ",
+                 found->high,
+                 " ",
+                 unit,
+                 "; a number that marks missing points must be ",
+                 given_as(names, "missing", "\"" + value + "\""),
+                 ", and true heights confirmed by ",
+                 names.prefix,
+                 "missing",
+                 names.equals,
+                 "none"});
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -239,8 +239,8 @@ private:
     void missing_points(RawMap& map) {
         const MissingValues missing = given_missing(options_.missing, name_);
         header_.missing_note = missing.note();
-        mark_missing(map.heights.data(), map.heights.size(), missing, name_, options_.names, header_.unit,
-                     [](std::size_t) { return std::size_t(0); });
+        mark_missing(map.heights.data(), map.heights.size(), missing, std::numeric_limits<double>::quiet_NaN(), name_,
+                     options_.names, header_.unit, [](std::size_t) { return std::size_t(0); });
     }
 
     std::string_view rest_;

@@ -319,6 +319,7 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
     if (rules.short_rows && table.columns > max_short_row_columns)
         refuse_line(name, table.lines[table.first].number,
                     {"has ", table.columns, " columns; must be at most ", max_short_row_columns});
+    table.wholes.resize(table.columns);
     table.printed.resize(rules.short_rows ? table.columns : std::min<std::size_t>(table.columns, 16));
     const std::string_view last = table.lines.back().text;
     const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
@@ -346,8 +347,10 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
             if (number || !(cells[c].empty() || is_missing_word(cells[c]) || table.missing.has_word(cells[c]) ||
                             holds_words(c))) {
                 value = require_number(number, cells[c], table, line, name);
-                if (whole && c < table.printed.size() && !table.missing.has(value))
-                    table.printed[c].add(cells[c], value);
+                if (whole && !table.missing.has(value)) {
+                    table.wholes[c].add(cells[c], value);
+                    if (c < table.printed.size()) table.printed[c].add(cells[c], value);
+                }
             }
             if (whole) table.values.push_back(value);
         }

@@ -53,6 +53,7 @@ struct NumberTable {
     std::vector<double> values;  // by row; NaN where missing
     std::vector<std::size_t> row_lines;
     std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
+    std::vector<LoneWhole> wholes;       // of all columns
     MissingValues missing;               // in addition to the words that are always missing
     OptionNames names{};                 // for messages
     std::string thousands{};             // the option

@@ -2,6 +2,7 @@
 #include "io/profile_text.hpp"
 
 #include "io/ambiguous_signs.hpp"
+#include "io/height_sense.hpp"
 #include "io/readers.hpp"
 #include "io/thousands.hpp"
 #include "io/unequal_steps.hpp"
@@ -40,15 +41,17 @@ public:
         RawMap row;
         row.rows = 1;
         row.heights = column(notes_.height_column);
-        mark_missing(row.heights.data(), row.heights.size(), table_.missing, name_, options_.names, notes_.height_unit,
+        mark_missing(row.heights.data(), row.heights.size(), table_.missing,
+                     table_.wholes[notes_.height_column - 1].value(), name_, options_.names, notes_.height_unit,
                      [&](std::size_t i) { return table_.row_lines[i]; });
         std::vector<std::size_t> used{notes_.height_column - 1};
         if (notes_.position_column != 0) used.push_back(notes_.position_column - 1);
         refuse_thousands(table_, used, false, name_);
-        const double scale = options_.units.empty() ? require_scale(entries_, name_, options_.names) : 1;
+        const double scale = factor_of_heights(entries_, options_, name_, record_);
         const double unit = unit_factor(notes_.height_unit, Dimension::length) * scale;
         record_.resolution = table_.printed[notes_.height_column - 1].resolution() * unit;
         for (double& z : row.heights) z *= unit;
+        turn_over(row, written_titles(table_)[notes_.height_column - 1], entries_, name_, record_);
         row.dx = row.dy = spacing();
         if (resampled_) resample(row.heights);
         if (notes_.reversed) std::reverse(row.heights.begin(), row.heights.end());
@@ -103,6 +106,9 @@ private:
         refuse_no_length(titles, notes_.height_column, name_);
         refuse_no_length(titles, position, name_);
         if (titles.empty()) refuse_no_length(entries_, name_);
+        const auto written = written_titles(table_);
+        check_factor(written[notes_.height_column - 1], true, options_, name_, record_);
+        if (position != 0) check_factor(written[position - 1], false, options_, name_, record_);
         const auto given =
             given_units(options_.units, 2, name_, "one unit, or two such as \"um,nm\" (positions, heights)");
         const TitleUnits found = columns_.units(table_, position != 0);
@@ -160,7 +166,8 @@ private:
             warn_of_unit(entry->value, notes_.height_unit, line(entry->line), "the heights");
         }
         if (notes_.height_column <= titles.size())
-            if (const ColumnTitle& title = titles[notes_.height_column - 1]; title.unread.find('[') == 0)
+            if (const ColumnTitle& title = titles[notes_.height_column - 1];
+                title.unread.find('[') == 0 && record_.warnings.empty())  // else its factor was reported
                 record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
                                                          line(title.line) + ", which states " + title.unread));
         if (given.size() == 2) unit_of_positions_ = given.front();

@@ -19,6 +19,7 @@
 #include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
+#include "io/column_titles.hpp"
 #include "io/option_names.hpp"
 #include "io/zip_archive.hpp"
 
@@ -110,11 +111,28 @@ public:
         set_spacings(map_, dx_, dy_, name_);
         describe();
         Record record = record_of(header_, map_, options_.names);
+        if (!options_.units.empty()) replace_units(record);
         return {std::move(map_), std::move(record)};
     }
 
 private:
     static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+    /// Takes the numbers of the file, which are metres, in the units of the options.
+    void replace_units(Record& record) {
+        const auto given =
+            given_units(options_.units, 2, name_, "one unit, or two such as \"mm,um\" (x and y, heights)");
+        const double lateral = unit_factor(given.front(), Dimension::length),
+                     vertical = unit_factor(given.back(), Dimension::length);
+        map_.dx *= lateral, map_.dy *= lateral;
+        for (double& height : map_.heights) height *= vertical;
+        record.resolution *= vertical;
+        record.say("units", "x and y in " + printable(given.front(), 16) + ", heights in " +
+                                printable(given.back(), 16) + ", from options");
+        if (lateral != 1 || vertical != 1)
+            record.warnings.push_back(
+                contradiction(options_.names, "units", shown_cell(options_.units), "the form, whose numbers are m"));
+    }
 
     /// main.xml, in the folder that is nearest to the root of the archive.
     void find_main() {
@@ -353,7 +371,7 @@ extern constexpr Reader x3p_reader{.format = SurfaceFormat::x3p,
                                    .endings = ".x3p",
                                    .holds = "ISO 25178-72, where fstiff was built with zlib and pugixml",
                                    .recognised = "its first bytes, those of a ZIP archive",
-                                   .options = "x3p-increment",
+                                   .options = "units x3p-increment",
                                    .begins = is_x3p,
 #ifdef FSTIFF_HAS_X3P
                                    .read = read_by<X3pReader>,

@@ -271,6 +271,31 @@ TEST_CASE("A number for missing points is honoured where the header names it, an
     CHECK(test::missing(read(triples, {.missing = "-9999"})) == 5);
 }
 
+TEST_CASE("A customary mark within the range of the heights is refused as the only number without decimals",
+          "[missing]") {
+    const auto cell = [](int i) {
+        return i % 9 == 4 ? std::string("-9999") : std::to_string((i * i % 11) * 3000 - 15000) + ".0";
+    };
+    std::string profile = "x [um],z [A]\n", triples = "x [um],y [um],z [A]\n", matrix = "# Value units: A\n";
+    for (int i = 0; i < 40; ++i) {
+        profile += std::to_string(i) + "," + cell(i) + "\n";
+        triples += std::to_string(i % 8) + "," + std::to_string(i / 8) + "," + cell(i) + "\n";
+        matrix += cell(i) + (i % 8 == 7 ? "\n" : "\t");
+    }
+    io::SurfaceOptions steps;
+    steps.dx = steps.dy = 1e-6;
+    for (const auto& [text, options] : {std::pair{profile, io::SurfaceOptions{}}, {triples, {}}, {matrix, steps}}) {
+        CAPTURE(text.substr(0, 20));
+        CHECK(has(refusal(text, options),
+                  "height -9999 A is here and 3 times more, alone without decimals among the others"));
+        io::SurfaceOptions given = options;
+        given.missing = "-9999";
+        CHECK(test::missing(read(text, given)) == 4);
+        given.missing = "none";
+        CHECK(test::missing(read(text, given)) == 0);
+    }
+}
+
 TEST_CASE("Words for missing points are the same in every form of a map", "[missing]") {
     for (const char* word : {"nan", "NA", "N/A", "Bad", "No Data", "***"})
         for (const char* separator : {",", "\t", " "}) {

@@ -43,4 +43,26 @@ TEST_CASE("Plateaus, steps and constants are heights", "[missing]") {
     CHECK(suspect({}) == std::nullopt);
 }
 
+TEST_CASE("The only number without decimals is suspected where instruments use it and it repeats", "[missing]") {
+    const auto lone = [](const std::vector<std::pair<const char*, double>>& cells) {
+        LoneWhole whole;
+        std::vector<double> heights;
+        for (const auto& [cell, value] : cells) whole.add(cell, value), heights.push_back(value);
+        const auto found = suspected_missing(heights.data(), heights.size(), whole.value());
+        return found ? std::optional(found->value) : std::nullopt;
+    };
+    CHECK(lone({{"-12000.5", -12000.5}, {"-9999", -9999}, {"13000.0", 13000}, {"-9999", -9999}}) == -9999);
+    CHECK(lone({{"-12000,5", -12000.5}, {"32767", 32767}, {"45000,0", 45000}, {"32767", 32767}}) == 32767);
+    CHECK(lone({{"-12000.5", -12000.5}, {"-9999", -9999}, {"13000.0", 13000}}) == std::nullopt);  // once
+    CHECK(lone({{"-12000.5", -12000.5}, {"-9999", -9999}, {"13000", 13000}, {"-9999", -9999}}) == std::nullopt);
+    CHECK(lone({{"-12000", -12000}, {"-9999", -9999}, {"13000", 13000}, {"-9999", -9999}}) == std::nullopt);
+    CHECK(lone({{"-0.5", -0.5}, {"0", 0}, {"0.7", 0.7}, {"0", 0}}) == std::nullopt);  // as %g prints 0
+    LoneWhole both, other;
+    both.add("-9999", -9999), other.add("1.5", 1.5);
+    both.add(other);
+    CHECK(both.value() == -9999);
+    other.add("7", 7), both.add(other);
+    CHECK(std::isnan(both.value()));
+}
+
 }  // namespace missing_values_test

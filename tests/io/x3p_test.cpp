@@ -125,6 +125,23 @@ TEST_CASE("Increment and offset of the heights are applied, a profile needs no C
     CHECK(profile.map.columns == 20);
 }
 
+TEST_CASE("Units that are given replace the metres of the form, with a warning") {
+    const std::string bytes = zipped({{"main.xml", Main{}.text()}, {"bindata/data.bin", heights<double>()}});
+    const auto millimetres = read(bytes, {.units = "mm"});
+    CHECK(test::relative_error(millimetres.map.dx, 1e-9) < 1e-14);
+    CHECK(test::relative_error(millimetres.map.dy, 2e-9) < 1e-14);
+    CHECK(test::relative_error(millimetres.map.at(0, 1), height(1) * 0.5e-3) < 1e-14);
+    CHECK(millimetres.record.said("units") == "x and y in mm, heights in mm, from options");
+    REQUIRE(millimetres.record.warnings.size() == 1);
+    CHECK(millimetres.record.warnings[0] ==
+          "units = \"mm\" contradicts the form, whose numbers are m; the option is used");
+    const auto heights_alone = read(bytes, {.units = "m,um"});
+    CHECK(heights_alone.map.dx == 1e-6);
+    CHECK(test::relative_error(heights_alone.map.at(0, 1), height(1) * 0.5e-6) < 1e-14);
+    CHECK(read(bytes, {.units = "m"}).record.warnings.empty());
+    CHECK(contains(test::refusal([&] { (void)read(bytes, {.units = "mm,um,nm"}); }), "one unit, or two"));
+}
+
 TEST_CASE("Archives that would swell are refused before anything is inflated") {
     const std::string zeros(std::size_t(2048) * 1024 * 8, '\0');
     Main main;
