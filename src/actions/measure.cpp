@@ -8,120 +8,9 @@
 #include <fstiff/measure/pooled_surface.hpp>
 
 #include <cmath>
-#include <span>
 #include <utility>
 
 namespace fstiff::actions {
-
-namespace {
-
-/// Appended to the other lines: Sk, Spk, Svk, Smr1 and Smr2, with the \p letter of the standard, or why they are none.
-void add_material_ratio(RoughnessTable& table, const std::string& letter, std::span<const double> heights) {
-    std::optional<detail::MaterialRatio<double>> ratio;
-    const std::string refusal = detail::fit_or_reason(ratio, [&] { return detail::material_ratio(heights); });
-    const auto add = [&](const char* symbol, const char* unit, double detail::MaterialRatio<double>::*field,
-                         const char* meaning) {
-        table.lines.push_back(
-            {letter + symbol, unit, ratio ? std::optional((*ratio).*field) : std::nullopt, ratio ? meaning : refusal});
-    };
-    add("k", "m", &detail::MaterialRatio<double>::core_height, "core of the material ratio curve");
-    add("pk", "m", &detail::MaterialRatio<double>::reduced_peak_height, "peaks above the core, as a triangle");
-    add("vk", "m", &detail::MaterialRatio<double>::reduced_valley_depth, "valleys below the core, as a triangle");
-    add("mr1", "", &detail::MaterialRatio<double>::peak_share, "share of the points above the core");
-    add("mr2", "", &detail::MaterialRatio<double>::core_and_peak_share, "share of the points in and above the core");
-}
-
-}  // namespace
-
-RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const CutOff<double>& lambda_c) {
-    const PreparedProfile<double> filtered = with_drawing_cut_off(levelled, lambda_c);
-    const Profile<double>& profile = filtered.profile;
-    const auto parameters = roughness_parameters(profile, filtered.cut_offs.lambda_c);
-    const auto length = detail::autocorrelation_length(autocorrelation(profile));
-    RoughnessTable table{.standard = "ISO 21920-2:2021",
-                         .lines = {},
-                         .sections = {},
-                         .section_length = parameters.section_length,
-                         .cut_offs = filtered.cut_offs};
-    table.sections =
-        parameters.by_cutoff ? "five of lambda_c, in the middle of the profile" : "five of a fifth of the profile each";
-    if (parameters.sections < 5)
-        table.sections += ", " + std::to_string(parameters.sections) + " of which have a point";
-    table.lines = {{"Ra", "m", parameters.mean_deviation, "mean of the distances from the mean height"},
-                   {"Rq", "m", parameters.rms_height, "root of their mean square"},
-                   {"Rz", "m", parameters.section_height, "from pit to peak, mean over the sections"},
-                   {"Rp", "m", parameters.section_peak_height, "highest peak, mean over the sections"},
-                   {"Rv", "m", parameters.section_pit_depth, "deepest pit, mean over the sections"},
-                   {"Rt", "m", parameters.total_height, "from the deepest pit to the highest peak of all"},
-                   {"Rsk", "", parameters.skewness, "skewness"},
-                   {"Rku", "", parameters.kurtosis, "kurtosis"},
-                   {"Rdq", "", parameters.rms_slope,
-                    parameters.rms_slope ? "root of the mean square slope, by seven points"
-                                         : "there are no seven points in a row"},
-                   {"Ral", "m", length,
-                    length ? "lag at which the autocorrelation falls to 0.2"
-                           : "the autocorrelation stays above 0.2 to half of the length, or lacks a lag"}};
-    add_material_ratio(table, "R", profile.heights);
-    return table;
-}
-
-RoughnessTable roughness_table(const PreparedMap<double>& levelled, const ParallelHook& parallel) {
-    const HeightMap<double>& map = levelled.map;
-    const bool has_directions = map.rows() >= 4 && map.columns() >= 4;
-    ArealParameters<double> parameters;
-    detail::TextureParameters<double> texture;
-    RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
-    RoughnessTable ratio;  // the last lines of the table
-    detail::run_pieces(parallel, 3, [&](std::size_t i) {
-        if (i == 0) parameters = areal_parameters(map, levelled.areal);
-        if (i == 1 && has_directions) texture = detail::texture_parameters(detail::areal_autocorrelation(map));
-        if (i == 2) add_material_ratio(ratio, "S", {map.heights.data(), static_cast<std::size_t>(map.size())});
-    });
-    table.lines = {{"Sa", "m", parameters.mean_deviation, "mean of the distances from the mean height"},
-                   {"Sq", "m", parameters.rms_height, "root of their mean square"},
-                   {"Sp", "m", parameters.max_peak_height, "highest peak"},
-                   {"Sv", "m", parameters.max_pit_depth, "deepest pit"},
-                   {"Sz", "m", parameters.max_height, "from the deepest pit to the highest peak"},
-                   {"Ssk", "", parameters.skewness, "skewness"},
-                   {"Sku", "", parameters.kurtosis, "kurtosis"},
-                   {"Sdq", "", parameters.rms_gradient, "root of the mean square gradient"},
-                   {"Sdr", "", parameters.developed_area_ratio,
-                    parameters.developed_area_ratio ? "area of the surface over that of its plane, less 1"
-                                                    : "no four points of a cell are all there"}};
-    std::string no_length = has_directions ? "the autocorrelation stays above 0.2 to half of each side"
-                                           : "the map has fewer than 4 x 4 points",
-                no_ratio = no_length;
-    if (texture.shortest && !texture.aspect_ratio)
-        no_ratio = "below " + document::rounded(*texture.shortest / texture.longest, 3) + ": no fall to 0.2 at " +
-                   document::rounded(texture.longest_direction * 180 / std::numbers::pi_v<double>, 3) +
-                   " degrees from x";
-    table.lines.push_back({"Sal", "m", texture.shortest,
-                           texture.shortest ? "shortest lag at which the autocorrelation falls to 0.2" : no_length});
-    table.lines.push_back({"Str", "", texture.aspect_ratio,
-                           texture.aspect_ratio ? "that over the longest such lag; 1: no direction" : no_ratio});
-    table.lines.insert(table.lines.end(), ratio.lines.begin(), ratio.lines.end());
-    return table;
-}
-
-RoughnessTable mean_of(const std::vector<RoughnessTable>& tables) {
-    RoughnessTable mean = tables.front();
-    mean.files = tables.size();
-    for (const RoughnessTable& table : tables)  // to a fifth of the profile: unlike where the lengths are
-        if (table.sections != mean.sections || table.section_length != mean.section_length)
-            mean.sections = "of each file by itself", mean.section_length = 0;
-    for (std::size_t i = 0; i < mean.lines.size(); ++i) {
-        double sum = 0;
-        for (const RoughnessTable& table : tables) {
-            const RoughnessLine& line = table.lines[i];
-            if (line.value)
-                sum += *line.value;
-            else if (mean.lines[i].value)
-                mean.lines[i] = {line.symbol, line.unit, std::nullopt, "not of every file: " + line.meaning};
-        }
-        if (mean.lines[i].value) mean.lines[i].value = sum / static_cast<double>(tables.size());
-    }
-    return mean;
-}
 
 using document::Document, document::Json, surface::MeasuredSurface, surface::ParameterLine;
 
@@ -202,7 +91,7 @@ void put_parameters(Json& document, const MeasuredSurface& surface, const Surfac
                                  {"m4_per_m2", waves->moments.m4}};
 }
 
-Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface& surface) {
+Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface& surface, const RoughnessTable& table) {
     Json document = measured_document(surface);
     for (const MeasuredSurface& part : surface.parts) {
         Json entry = measured_document(part);
@@ -219,7 +108,7 @@ Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface&
             (row.echo == surface::Echo::always || !row.has_same(options.input, {})))
             document["inputs"][row.json_name()] = json_of_option(row, options.input);
     document["inputs"].update({{"resamples", options.resamples}, {"seed", options.seed}});
-    document["roughness"] = roughness_json(roughness_of(surface, {}, options.parallel));
+    document["roughness"] = roughness_json(table);
     return document;
 }
 
@@ -271,14 +160,35 @@ std::string text_of(const RoughnessTable& table) {
 }
 
 using SharedSurface = std::shared_ptr<const MeasuredSurface>;
+/// Null where it is computed once it is needed.
+using SharedTable = std::shared_ptr<const RoughnessTable>;
+
+/// That of a profile; null for a map, whose parameters take long, and where they refuse the profile.
+SharedTable table_of_profile(const MeasuredSurface& surface) {
+    if (!surface.is_profile()) return nullptr;
+    try {
+        return std::make_shared<const RoughnessTable>(roughness_of(surface));
+    } catch (const domain_error&) {
+        return nullptr;
+    }
+}
+
+/// A warning that the lambda_c of the tables removes most of the heights; empty where it does not.
+std::string removal_warning(const SharedTable& table) {
+    if (!table || table->cut_offs.why_c == CutOffReason::given || !(table->removed > 0.5)) return "";
+    return "lambda_c " + document::shown_length(*table->cut_offs.lambda_c) + ", that of Ra, removes " +
+           document::shown_percent(table->removed) +
+           " of the mean square height: most waves are longer than this cut-off, and Ra, Rq and Rz lack them (K has "
+           "them)";
+}
 
 /// Adds the decisions about \p surface, \p line, and its tables; \p file as above.
-void add_surface(Document& document, const SharedSurface& surface, const std::string& file, const std::string& line,
-                 const ParallelHook& parallel) {
+void add_surface(Document& document, const SharedSurface& surface, const SharedTable& table, const std::string& file,
+                 const std::string& line, const ParallelHook& parallel) {
     for (const std::string& decision : surface->decisions) document.line("  " + decision);
     document.text([line] { return line; });
     document.table(parameter_rows(*surface, file));
-    document.text([surface, parallel] { return text_of(roughness_of(*surface, {}, parallel)); });
+    document.text([=] { return text_of(table ? *table : roughness_of(*surface, {}, parallel)); });
 }
 
 }  // namespace
@@ -374,15 +284,21 @@ RoughnessTable roughness_of(const MeasuredSurface& surface, const CutOff<double>
 
 Document document_of(const surface::MeasureOptions& options, const std::shared_ptr<const MeasuredSurface>& surface) {
     Document document("measure");
+    const SharedTable table = table_of_profile(*surface);
     document.warnings = surface->warnings;
+    const std::string removal = removal_warning(table);
+    if (!removal.empty()) document.warnings.push_back(removal);
     document.doubtful = is_doubtful(*surface);
     document.title("surface of " + document::printable(surface->file));
-    add_surface(document, surface, surface->parts.empty() ? "" : "pooled", "\n", options.parallel);
+    add_surface(document, surface, table, surface->parts.empty() ? "" : "pooled", "\n", options.parallel);
     for (const MeasuredSurface& part : surface->parts) {
         document.line("\n" + document::printable(part.file));
-        add_surface(document, SharedSurface(surface, &part), part.file, "", options.parallel);
+        add_surface(document, SharedSurface(surface, &part), nullptr, part.file, "", options.parallel);
     }
-    document.values([=](Json& to) { to = measure_json(options, *surface); });
+    document.values([=](Json& to) {
+        to = measure_json(options, *surface, table ? *table : roughness_of(*surface, {}, options.parallel));
+        if (!removal.empty()) to["warnings"].push_back(removal);
+    });
     return document;
 }
 

@@ -30,6 +30,7 @@ struct RoughnessTable {
     double section_length{};   ///< [m]; 0 of a map
     CutOffs<double> cut_offs;  ///< that these parameters have: lambda_c of a profile is that of the standard
     std::size_t files = 1;     ///< whose means these are
+    double removed{};          ///< share of the mean square height of a profile that lambda_c removes
 };
 
 /// Parameters of the existing heights, about their mean. \throws domain_error for a surface out of range.

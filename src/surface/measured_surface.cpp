@@ -69,12 +69,19 @@ std::string form_warning(const Surface<double>& parameters, const SurfaceOptions
            " keeps one side of it";
 }
 
+/// \p warning of a unit that is likely wrong, with the option that replaces it; empty for an empty one.
+std::string with_units(const std::string& warning, const SurfaceOptions& options) {
+    return warning.empty() ? ""
+                           : warning + "; " + options.name("units") + " replaces that of a text, .npy, .stl or X3P";
+}
+
 /// A sentence on lengths that no rough surface has, where its sigma is \p rms_height and its points are \p step apart;
 /// empty where there are none.
-std::string length_warning(double rms_height, double step) {
+std::string length_warning(double rms_height, double step, const SurfaceOptions& options) {
     if (!(rms_height > 1e-3 || step > 1e-2)) return "";
-    return "sigma is " + shown_length(rms_height, 3) + " and the points are " + shown_length(step, 3) +
-           " apart: a unit of its lengths is likely wrong";
+    return with_units("sigma is " + shown_length(rms_height, 3) + " and the points are " + shown_length(step, 3) +
+                          " apart: a unit of its lengths is likely wrong",
+                      options);
 }
 
 /// A sentence on offsets of the scan lines of a map; empty where none are seen.
@@ -121,7 +128,7 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
 
     auto& warned = surface.warnings;
     if (!parameters.why_no_dimension.empty())
-        warned.push_back("no D and G, so fractal laws need a given D: " + parameters.why_no_dimension);
+        warned.push_back("D and G not found (only fractal laws need them): fstiff measure --show fit gives the reason");
     else if (parameters.curved)
         warned.push_back("the structure function is not a single power law over the window: D is a mean over it");
     if (!parameters.why_no_peaks.empty()) warned.push_back("no r and theta: " + parameters.why_no_peaks);
@@ -151,8 +158,8 @@ void describe(MeasuredSurface& surface, const Prepared& prepared, const MeasureO
     warned.insert(warned.end(), of_peaks.begin(), of_peaks.end());
     for (const std::string& line :
          {lines_warning(parameters, options.input), flat_patch_warning(prepared.radius, form_name(prepared)),
-          form_warning(parameters, options.input), length_warning(prepared.rms, step_of(prepared)),
-          gradient_warning(gradient_of(prepared), "measured")})
+          form_warning(parameters, options.input), length_warning(prepared.rms, step_of(prepared), options.input),
+          with_units(gradient_warning(gradient_of(prepared), "measured"), options.input)})
         if (!line.empty()) warned.push_back(line), surface.of_file.push_back(line);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
+#include "surface/equal_heights.hpp"
 
 #include <fstiff/surface/moments.hpp>
 
@@ -43,14 +44,18 @@ std::string why_lambda_s(const CutOffs<double>& cut_offs) {
 
 /// Why lambda_c is so, or why there is none; empty where it was given.
 std::string why_lambda_c(const CutOffs<double>& cut_offs) {
-    const std::string of_ra = "by the table, of Ra " + document::shown_length(cut_offs.mean_deviation, 3);
+    const std::string of_class =
+        "by the table, of " + (cut_offs.spacing > 0 ? "RSm " + document::shown_length(cut_offs.spacing, 3)
+                                                    : "Ra " + document::shown_length(cut_offs.mean_deviation, 3));
     const std::string length = document::shown_length(cut_offs.length);
     switch (cut_offs.why_c) {
         case CutOffReason::given: break;
-        case CutOffReason::roughness: return of_ra;
+        case CutOffReason::spacing:
+        case CutOffReason::roughness: return of_class;
         case CutOffReason::length:
-            return of_ra + ", whose row is longer: the longest that fits five times into the length of " + length;
-        case CutOffReason::step: return of_ra + ", whose row is shorter: the shortest that the step and lambda_s allow";
+            return of_class + ", whose row is longer: the longest that fits five times into the length of " + length;
+        case CutOffReason::step:
+            return of_class + ", whose row is shorter: the shortest that the step and lambda_s allow";
         case CutOffReason::too_short:
             return "the length of " + length + " does not hold five of " +
                    document::shown_length(detail::cut_off_table.front().lambda_c) + ", the shortest of the table";
@@ -198,8 +203,9 @@ void clean_input(const SurfaceOptions& options, SurfaceInput& input) {
                                      "\": must be none for a profile, which is one line");
     document::about_file(options.file, [&] {
         clean(options, input.surface);
-        for (std::string& hint : cleaning_hints(options, input.surface))
-            input.surface.record.warnings.push_back(std::move(hint));
+        for (const auto hints : {cleaning_hints, equal_heights_hints})
+            for (std::string& hint : hints(options, input.surface))
+                input.surface.record.warnings.push_back(std::move(hint));
     });
 }
 

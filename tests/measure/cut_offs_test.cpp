@@ -49,7 +49,8 @@ TEST_CASE("lambda_s by the tables is the index of five steps, of the resolution 
     const std::vector<Case> cases{
         {"five steps are an index", 0.5e-6, 16384, 0, 0, 2.5e-6, by_table, step},
         {"2 % less step, the same index", 0.49e-6, 16384, 0, 0, 2.5e-6, by_table, step},
-        {"a little more step, the next index", 0.5001e-6, 16384, 0, 0, 5e-6, by_table, step},
+        {"1 % more step, the same index", 0.50042e-6, 16384, 0, 0, 2.5e-6, by_table, step},
+        {"2 % more step, the next index", 0.51e-6, 16384, 0, 0, 5e-6, by_table, step},
         {"a stylus", 0.15625e-6, 9600, 0, 0, 0.8e-6, by_table, step},
         {"an atomic force microscope", 39.2e-9, 256, 0, 0, 200e-9, by_table, step},
         {"ten fit, to the last step", 0.5e-6, 51, 0, 0, 2.5e-6, by_table, step},
@@ -156,7 +157,7 @@ TEST_CASE("A map has a lambda_s of its coarser step and shorter side, and no lam
     CHECK(relative_error(found.length, 40e-6) < 1e-14);  // 400 of 0.1 um, shorter than 300 of 0.3
     CHECK_FALSE(found.lambda_c);
     CHECK(found.why_c == CutOffReason::form_alone);
-    const auto narrow = detail::choose_cut_offs(grid(300, 199, 0.1e-6, 0.3e-6));  // 19.9 um
+    const auto narrow = detail::choose_cut_offs(grid(300, 197, 0.1e-6, 0.3e-6));  // 19.7 um
     CHECK(narrow.why_s == LambdaSReason::too_short);
     CHECK(detail::choose_cut_offs(grid(300, 200, 0.1e-6, 0.3e-6)).lambda_s == 2e-6);
     CHECK(detail::choose_cut_offs(grid(300, 400, 0.1e-6, 0.3e-6), {.lambda_c = no_cut_off}).why_c ==

@@ -21,8 +21,8 @@ TEST_CASE("The nesting index of a length is the least of the series that is as l
         for (int i = 0; i + 1 < 6; ++i) {
             CAPTURE(decade, digits[i]);
             CHECK(detail::nesting_index(index(digits[i])) == index(digits[i]));
-            CHECK(detail::nesting_index(index(digits[i]) * (1 + 5e-7)) == index(digits[i]));
-            CHECK(detail::nesting_index(index(digits[i]) * (1 + 5e-6)) == index(digits[i + 1]));
+            CHECK(detail::nesting_index(index(digits[i]) * 1.009) == index(digits[i]));
+            CHECK(detail::nesting_index(index(digits[i]) * 1.011) == index(digits[i + 1]));
         }
         if (decade > -15) CHECK(detail::nesting_index(index("1") * (1 - 1e-12)) == index("1"));
     }
@@ -38,6 +38,18 @@ TEST_CASE("For every step of the standard's table lambda_s is the one of its row
     }
     // the smallest ratio, of two rounded lengths
     CHECK(test::ulps(detail::cut_off_table[0].lambda_c / detail::cut_off_table[0].lambda_s, 32.) <= 2);
+}
+
+TEST_CASE("The rounding of printed positions never moves lambda_s by a class") {
+    for (const double nominal : {0.1e-6, 0.2e-6, 0.4e-6, 0.5e-6, 1e-6, 1.6e-6, 2e-6})
+        for (const double factor : {1 - 1e-3, 1 - 1e-6, 1 + 1e-6, 1 + 8.4e-4, 1 + 5e-3}) {
+            CAPTURE(nominal, factor);
+            CHECK(detail::shortest_lambda_s(nominal * factor) == detail::shortest_lambda_s(nominal));
+            CHECK(detail::shortest_lambda_s(1e-9, 5 * nominal * factor) == detail::shortest_lambda_s(nominal));
+        }
+    CHECK(detail::shortest_lambda_s(0.50042e-6) == 2.5e-6);
+    CHECK(detail::shortest_lambda_s(0.1e-6, 0., 5.01e-6) == 8e-6);
+    CHECK(detail::shortest_lambda_s(0.1e-6, 0., 2.01e-6) == 2.5e-6);
 }
 
 TEST_CASE("The resolution and the tip lengthen lambda_s and never shorten it") {

@@ -7,6 +7,7 @@
 #include "support/catch.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace prepare_test {
 
@@ -80,15 +81,17 @@ TEST_CASE("A profile loses its form, then lambda_s, and for Ra the lambda_c of w
 }
 
 TEST_CASE("The Ra that chooses lambda_c is that without the waves below lambda_s") {
-    auto profile = trace();  // with a zigzag of 0.4 um that the filter of lambda_s removes
-    for (std::size_t i = 0; i < profile.size(); ++i)
-        profile.heights[i] = (i % 2 == 0 ? 0.4e-6 : -0.4e-6) + 20e-9 * std::sin(static_cast<double>(i) / 4) +
-                             1e-9 * static_cast<double>(i);
+    auto profile = trace();  // with waves of 1 to 2.5 um, which the filter of lambda_s removes for the most part
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const double n = static_cast<double>(i), share = n / static_cast<double>(2 * profile.size());
+        const auto wave = [](double turns) { return std::sin(2 * std::numbers::pi_v<double> * turns); };
+        profile.heights[i] = 60e-9 * wave(n * (0.2 + 0.3 * share)) + 20e-9 * wave(n / 60 * (1 + 2 * share)) + 1e-9 * n;
+    }
     const auto chosen = [&](const MeasureOptions<double>& how) {
         return with_drawing_cut_off(prepare(profile, how)).cut_offs.lambda_c;
     };
     CHECK(chosen({}) == 0.08e-3);
-    CHECK(chosen({.lambda_s = no_cut_off}) == 0.8e-3);
+    CHECK(chosen({.lambda_s = no_cut_off}) == 0.25e-3);
     CHECK(chosen({.lambda_c = 0.4e-3}) == 0.4e-3);
     CHECK_FALSE(chosen({.lambda_c = no_cut_off}));
     const auto shared = with_drawing_cut_off(prepare(profile), CutOff<double>(0.25e-3));

@@ -48,6 +48,23 @@ TEST_CASE("A sine has Ra = 2A/pi, Rku = 3/2, and the slope of the seven-point fo
     CHECK(test::relative_error(found.section_peak_height + found.section_pit_depth, found.section_height) < 1e-14);
 }
 
+TEST_CASE("RSm is the wavelength of a sine, and what is lower than a tenth of Rz is no element") {
+    const auto wave = [](std::size_t points, double waves) {
+        return *roughness_parameters(sine(2e-6, points, waves)).mean_spacing;
+    };
+    CHECK(test::relative_error(wave(4000, 20), 200e-7) < 1e-4);
+    CHECK(test::relative_error(wave(4000, 7.3), 4000 / 7.3 * 1e-7) < 1e-4);
+    auto ripple = sine(2e-6, 4000, 20);
+    for (std::size_t i = 0; i < 4000; ++i) ripple.heights[i] += 0.15e-6 * std::sin(2 * pi * static_cast<double>(i) / 9);
+    CHECK(test::relative_error(*roughness_parameters(ripple).mean_spacing, 200e-7) < 0.01);
+    auto hole = sine(2e-6, 4000, 20);  // elements that miss a point do not count
+    for (std::size_t i = 1000; i < 1090; ++i) hole.heights[i] = std::numeric_limits<double>::quiet_NaN();
+    CHECK(test::relative_error(*roughness_parameters(hole).mean_spacing, 200e-7) < 1e-3);
+    Profile<double> ramp{std::vector<double>(64), 1e-7};
+    for (std::size_t i = 0; i < 64; ++i) ramp.heights[i] = 1e-8 * static_cast<double>(i);
+    CHECK_FALSE(roughness_parameters(ramp).mean_spacing);
+}
+
 TEST_CASE("Roughness parameters are those that numpy finds") {
     for (const std::string source : {"profile_row", "profile_row_cutoff", "profile_holes"}) {
         CAPTURE(source);

@@ -29,13 +29,14 @@
 
 // Cut-offs of the standards, and the shortest waves that a measurement of a given step can contain.
 //
-//     lambda_c [mm]   lambda_s [um]   greatest step [um]   tip radius [um]   Ra of the roughness [um]
-//       0.08            2.5             0.5                  2                 to 0.02
-//       0.25            2.5             0.5                  2                 to 0.1
-//       0.8             2.5             0.5                  2 (5 above 0.5)   to 2
-//       2.5             8               1.5                  5                 to 10
-//       8               25              5                    10                to 80
+//     lambda_c [mm]   lambda_s [um]   greatest step [um]   tip radius [um]   Ra of the roughness [um]   RSm [mm]
+//       0.08            2.5             0.5                  2                 to 0.02                    to 0.04
+//       0.25            2.5             0.5                  2                 to 0.1                     to 0.13
+//       0.8             2.5             0.5                  2 (5 above 0.5)   to 2                       to 0.4
+//       2.5             8               1.5                  5                 to 10                      to 1.3
+//       8               25              5                    10                to 80                      to 4
 //     series of nesting indices: 1, 2, 2.5, 5, 8 times powers of ten;   lambda_s >= 5 steps
+//     every limit of a class holds to 1 %, because printed positions leave a step open by some 0.1 %
 //
 // Reference   ISO 3274:1996, ISO 4288:1996 and ISO 21920-3:2021 (table), ISO 25178-3:2012 (series, steps)
 // Units       lengths [m]
@@ -46,23 +47,28 @@ namespace fstiff::inline v0_1::detail {
 
 /// One row of the table above [m].
 struct CutOffRow {
-    double lambda_c, lambda_s, max_step, tip_radius, max_ra;
+    double lambda_c, lambda_s, max_step, tip_radius, max_ra, max_spacing;
 };
-inline constexpr std::array<CutOffRow, 5> cut_off_table{{{0.08e-3, 2.5e-6, 0.5e-6, 2e-6, 0.02e-6},
-                                                         {0.25e-3, 2.5e-6, 0.5e-6, 2e-6, 0.1e-6},
-                                                         {0.8e-3, 2.5e-6, 0.5e-6, 2e-6, 2e-6},
-                                                         {2.5e-3, 8e-6, 1.5e-6, 5e-6, 10e-6},
-                                                         {8e-3, 25e-6, 5e-6, 10e-6, 80e-6}}};
+inline constexpr std::array<CutOffRow, 5> cut_off_table{{{0.08e-3, 2.5e-6, 0.5e-6, 2e-6, 0.02e-6, 0.04e-3},
+                                                         {0.25e-3, 2.5e-6, 0.5e-6, 2e-6, 0.1e-6, 0.13e-3},
+                                                         {0.8e-3, 2.5e-6, 0.5e-6, 2e-6, 2e-6, 0.4e-3},
+                                                         {2.5e-3, 8e-6, 1.5e-6, 5e-6, 10e-6, 1.3e-3},
+                                                         {8e-3, 25e-6, 5e-6, 10e-6, 80e-6, 4e-3}}};
+/// Whether \p value is within the class that ends at \p limit; 1 % above it still is.
+template <Real T>
+[[nodiscard]] constexpr bool within_class(T value, std::type_identity_t<T> limit) {
+    return value <= limit * T(1.01);
+}
 
 /// Minimum number of steps in lambda_s.
 inline constexpr int steps_of_lambda_s = 5;
-/// Minimum number of lambda_c in a profile: the sampling lengths of an evaluation length.
-inline constexpr int lambda_c_of_length = 5;
+/// Minimum number of lambda_c in a profile: the sampling lengths of an evaluation length; of one that RSm determines.
+inline constexpr int lambda_c_of_length = 5, lambda_c_of_periodic_length = 2;
 /// Minimum of lambda_c over lambda_s: rounded down from the smallest of the table, 0.08 mm over 2.5 um.
 inline constexpr double min_ratio_of_cut_offs = 30;
 
-/// Smallest index of the series that is at least \p length; a length above an index by less than 1e-6 of it counts as
-/// equal, because steps have rounding errors. \throws domain_error unless 1e-15 <= length <= 1e6.
+/// Smallest index of the series that is at least \p length, to within_class().
+/// \throws domain_error unless 1e-15 <= length <= 1e6.
 template <Real T>
 [[nodiscard]] T nesting_index(T length) {
     require(length >= T(1e-15) && length <= T(1e6), "length", length, "between 1e-15 and 1e6");
@@ -71,7 +77,7 @@ template <Real T>
     const T power = std::pow(T(10), static_cast<T>(std::abs(decade)));
     for (const double term : series) {
         const T index = decade < 0 ? static_cast<T>(term) / power : static_cast<T>(term) * power;
-        if (length <= index * (1 + T(1e-6))) return index;
+        if (within_class(length, index)) return index;
     }
     return decade < 0 ? T(10) / power : T(10) * power;
 }
@@ -82,7 +88,7 @@ template <Real T>
 [[nodiscard]] T lambda_s_of_tip(T tip_radius) {
     require_positive("tip radius", tip_radius);
     for (std::size_t row = 2; row < cut_off_table.size(); ++row)
-        if (tip_radius <= static_cast<T>(cut_off_table[row].tip_radius) * (1 + T(1e-6)))
+        if (within_class(tip_radius, static_cast<T>(cut_off_table[row].tip_radius)))
             return row > 2 ? static_cast<T>(cut_off_table[row].lambda_s) : nesting_index(T(1.25) * tip_radius);
     return nesting_index(T(2.5) * tip_radius);
 }
@@ -100,13 +106,18 @@ template <Real T>
 
 // lambda_c of a profile from the table of the standards (measure/cut_offs), by the roughness itself.
 //
-//     row: the first whose Ra, measured with its own lambda_c, is in its range
+//     periodic: the row of RSm, where 2 lambda_c <= length; RSm is the period (measure/plain_form.hpp) of the profile,
+//     or of the profile without the waves above the longest lambda_c that fits five times
+//     else the row: the first whose Ra, measured with its own lambda_c, is in its range
 //     among those that the profile can contain: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
 //
 // Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it: the choice
 // is consistent in the sense of the standard. Without such a row the longest lambda_c of the profile is used.
 //
-// Reference   ISO 4288:1996, 7.2 and Table 1, which ISO 21920-3:2021 keeps as its last resort.
+// Ra would confirm any lambda_c that removes the waves of a periodic profile.
+//
+// Reference   ISO 4288:1996, 7.2 and Tables 1 and 3, which ISO 21920-3:2021 keeps as its last resort; 2 lambda_c is
+//             this project's
 // Units       [m]
 // Valid       a profile without its form
 // Accuracy    that of gaussian_roughness() (tests/measure/roughness_cut_off_test.cpp)
@@ -115,9 +126,10 @@ namespace fstiff::inline v0_1 {
 
 /// Reason for the value of lambda_c.
 enum class CutOffReason {
+    spacing,     ///< RSm of a profile that repeats itself belongs to it
     roughness,   ///< Ra belongs to it
-    length,      ///< Ra belongs to a longer one, which the length does not hold
-    step,        ///< Ra belongs to a shorter one, which the step or lambda_s does not allow
+    length,      ///< Ra or RSm belongs to a longer one, which the length does not hold
+    step,        ///< Ra or RSm belongs to a shorter one, which the step or lambda_s does not allow
     too_short,   ///< none: five of the shortest do not fit the length
     too_coarse,  ///< none: those that fit the length are too short for the step or lambda_s
     given,       ///< requested, or no filter requested; no outcome of roughness_cut_off()
@@ -134,6 +146,7 @@ struct RoughnessCutOff {
     std::optional<T> lambda_c{};  ///< [m]
     T mean_deviation{};           ///< Ra after its filter [m]; 0: none
     CutOffReason reason{};
+    T spacing{};  ///< RSm that determines it, the period of the profile [m]; 0: none
 };
 
 /// Ra of \p roughness, whose mean line is 0: mean of the absolute heights [m]. 0 where every point is missing.
@@ -145,27 +158,78 @@ template <Real T>
     return points > 0 ? static_cast<T>(sum / points) : T(0);
 }
 
+/// Longest lambda_c of the table that is at least \p shortest and fits \p times into \p length; 0 for none.
+template <Real T>
+[[nodiscard]] T longest_lambda_c(T length, int times, std::type_identity_t<T> shortest) {
+    T longest = 0;
+    for (const CutOffRow& row : cut_off_table)
+        if (const T lambda_c = static_cast<T>(row.lambda_c);
+            within_class(static_cast<T>(times) * lambda_c, length) && within_class(shortest, lambda_c))
+            longest = lambda_c;
+    return longest;
+}
+
+/// Period of \p profile, or of its roughness after the longest lambda_c that fits five times; 0 where neither repeats
+/// itself.
+template <Real T>
+[[nodiscard]] T period(const Profile<T>& profile, std::type_identity_t<T> length) {
+    const auto period = [](const Profile<T>& line) {
+        const Repetition<T> found = repetition(autocorrelation(line));
+        return found.is_lay() ? found.period : T(0);
+    };
+    if (const T found = period(profile); found > T(0)) return found;
+    const T lambda_c = longest_lambda_c(length, lambda_c_of_length, 5 * profile.spacing);
+    return lambda_c > T(0) ? period(gaussian_roughness(profile, lambda_c)) : T(0);
+}
+
+/// lambda_c by RSm = \p spacing, of those that are at least \p shortest; none beyond the table.
+template <Real T>
+[[nodiscard]] RoughnessCutOff<T> spacing_cut_off(T spacing, std::type_identity_t<T> length,
+                                                 std::type_identity_t<T> shortest) {
+    RoughnessCutOff<T> choice;
+    choice.spacing = spacing;
+    for (const CutOffRow& row : cut_off_table) {
+        if (!within_class(spacing, static_cast<T>(row.max_spacing))) continue;
+        choice.reason = choice.reason == CutOffReason::step || !within_class(shortest, static_cast<T>(row.lambda_c))
+                            ? CutOffReason::step
+                            : CutOffReason::spacing;
+        choice.lambda_c = static_cast<T>(row.lambda_c);
+        if (within_class(shortest, *choice.lambda_c)) break;
+    }
+    if (!choice.lambda_c || within_class(T(lambda_c_of_periodic_length) * *choice.lambda_c, length)) return choice;
+    choice.reason = CutOffReason::length;
+    choice.lambda_c.reset();
+    if (const T longest = longest_lambda_c(length, lambda_c_of_length, shortest); longest > T(0))
+        choice.lambda_c = longest;
+    return choice;
+}
+
 /// lambda_c of \p profile after filtering with \p lambda_s (0: none). \throws domain_error for a profile out of range.
 template <Real T>
 [[nodiscard]] RoughnessCutOff<T> roughness_cut_off(const Profile<T>& profile, std::type_identity_t<T> lambda_s = 0) {
+    const T length = static_cast<T>(profile.size()) * profile.spacing;
+    const T shortest = (std::max)(5 * profile.spacing, static_cast<T>(min_ratio_of_cut_offs) * lambda_s);
     RoughnessCutOff<T> choice;
-    const T length = static_cast<T>(profile.size()) * profile.spacing * (1 + T(1e-6));
-    const T shortest =
-        (std::max)(5 * profile.spacing, static_cast<T>(min_ratio_of_cut_offs) * lambda_s) * (1 - T(1e-6));
+    if (const T spacing = period(profile, length); spacing > T(0)) choice = spacing_cut_off(spacing, length, shortest);
+    if (choice.lambda_c) {
+        choice.mean_deviation = mean_deviation(gaussian_roughness(profile, *choice.lambda_c));
+        return choice;
+    }
+    choice.spacing = 0;
     bool fits = false, skipped = false;
     for (const CutOffRow& row : cut_off_table) {
         const T lambda_c = static_cast<T>(row.lambda_c);
-        if (lambda_c_of_length * lambda_c > length) break;
+        if (!within_class(lambda_c_of_length * lambda_c, length)) break;
         fits = true;
-        if (lambda_c < shortest) {
+        if (!within_class(shortest, lambda_c)) {
             skipped = true;
             continue;
         }
         choice.lambda_c = lambda_c;
         choice.mean_deviation = mean_deviation(gaussian_roughness(profile, lambda_c));
         choice.reason = CutOffReason::roughness;
-        if (choice.mean_deviation <= static_cast<T>(row.max_ra)) {
-            if (skipped && choice.mean_deviation <= static_cast<T>((&row - 1)->max_ra))
+        if (within_class(choice.mean_deviation, static_cast<T>(row.max_ra))) {
+            if (skipped && within_class(choice.mean_deviation, static_cast<T>((&row - 1)->max_ra)))
                 choice.reason = CutOffReason::step;
             return choice;
         }
@@ -213,6 +277,7 @@ struct CutOffs {
     IndexSource index_source = IndexSource::step;
     CutOffReason why_c = CutOffReason::given;
     T mean_deviation{};                ///< Ra after the lambda_c of the tables [m]; 0: none
+    T spacing{};                       ///< RSm that determined lambda_c, the period of the profile [m]; 0: none
     T step{}, length{}, tip_radius{};  ///< coarser step, shorter side, and the tip that was given [m]
     std::optional<RobustOutcome> robust{};
 
@@ -279,7 +344,7 @@ void choose_lambda_s(CutOffs<T>& cut_offs, T resolution) {
         cut_offs.index_source = IndexSource::tip;
     else if (resolution > T(0) && cut_offs.index > shortest_lambda_s(cut_offs.step) * (1 + T(1e-12)))
         cut_offs.index_source = IndexSource::resolution;
-    if (lambda_s_of_length * cut_offs.index > cut_offs.length * (1 + T(1e-6)))
+    if (!within_class(lambda_s_of_length * cut_offs.index, cut_offs.length))
         cut_offs.why_s = LambdaSReason::too_short;
     else if (cut_offs.lambda_c && cut_offs.index >= *cut_offs.lambda_c)
         cut_offs.why_s = LambdaSReason::not_below_lambda_c;

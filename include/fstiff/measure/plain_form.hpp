@@ -28,7 +28,8 @@
 
 // Detection of a lay, as turned, milled or ground faces have: the heights repeat themselves or are stretched.
 //
-//     profile    maximum of sum z(x) z(x + t)/sum z^2 beyond its first zero, at lags t up to a quarter of the profile
+//     profile    maximum of sum z(x) z(x + t)/sum z^2 beyond its first zero, at lags t up to a quarter of the profile;
+//                the period is the first lag that comes near it, no multiple
 //     map        Str = min r(phi)/max r(phi), or an upper bound (topography/areal_autocorrelation.hpp)
 //
 // A single profile does not contain the length of the ridges, and K depends on it: by boundary elements a turned face
@@ -66,9 +67,14 @@ template <Real T>
     };
     std::size_t n = 0;
     while (n < reach && share(n) > T(0)) ++n;
+    const std::size_t zero = n;
     Repetition<T> result;
     for (; n < reach; ++n)
         if (const T correlation = share(n); correlation > result.correlation) result = {correlation, acf.lag[n]};
+    for (n = zero; result.correlation > T(0) && share(n) < T(0.9) * result.correlation;) ++n;
+    T highest = 0;  // near the first lag that comes near the maximum
+    for (const std::size_t end = (std::min)(reach, n + n / 3 + 1); n < end; ++n)
+        if (share(n) > highest) highest = share(n), result.period = acf.lag[n];
     return result;
 }
 

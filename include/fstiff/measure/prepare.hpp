@@ -7,7 +7,7 @@
 ///     prepare()    form, with its own cut-off if given; lambda_s; lambda_c if given
 ///
 /// with_drawing_cut_off() adds the lambda_c of the tables for Ra, Rq and the other parameters of drawings. It is chosen
-/// after the filter of lambda_s, from Ra of the filtered profile (measure/cut_offs).
+/// after the filter of lambda_s, from RSm or Ra of the filtered profile (measure/cut_offs).
 ///
 /// Reference   ISO 21920-2:2021 and ISO 25178-2:2012 (the order of the operators F, S, L); ISO 16610-21, -31, -61 and
 ///             -71 (the filters)
@@ -320,7 +320,7 @@ PreparedProfile<T> with_drawing_cut_off(PreparedProfile<T> prepared, const CutOf
     detail::RoughnessCutOff<T> choice{lambda_c.length(), 0, CutOffReason::given};
     if (lambda_c.automatic()) choice = detail::roughness_cut_off(prepared.profile, cut_offs.lambda_s.value_or(T(0)));
     cut_offs.lambda_c = choice.lambda_c, cut_offs.why_c = choice.reason;
-    cut_offs.mean_deviation = choice.mean_deviation;
+    cut_offs.mean_deviation = choice.mean_deviation, cut_offs.spacing = choice.spacing;
     if (cut_offs.lambda_c) detail::remove_long_waves(prepared);
     prepared.rms = rms_height(prepared.profile);
     prepared.rms_gradient = detail::rms_gradient_of(prepared.profile);

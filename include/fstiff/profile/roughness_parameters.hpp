@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Roughness parameters of a profile by ISO 21920-2: Ra, Rq, Rsk, Rku, Rt, Rz, Rp, Rv, Rdq.
+/// Roughness parameters of a profile by ISO 21920-2: Ra, Rq, Rsk, Rku, Rt, Rz, Rp, Rv, Rdq, RSm.
 ///
 ///     Ra = <|z|>    Rq^2 = <z^2>    Rsk = <z^3>/Rq^3    Rku = <z^4>/Rq^4    Rt = max z - min z    z about the mean
 ///     Rp, Rv, Rz = means over five sections of max z, -min z and max z - min z
+///     RSm = mean width of the elements, each a peak above Rz/10 and a pit below -Rz/10, between crossings of the mean
 ///     Rdq^2 = <z'^2>   z' = (z_(i+3) - 9 z_(i+2) + 45 z_(i+1) - 45 z_(i-1) + 9 z_(i-2) - z_(i-3))/(60 h)
 ///
 /// The sections are the five lengths lambda_c in the middle of the profile where it is long enough, else fifths of it.
@@ -25,15 +26,16 @@ namespace fstiff::inline v0_1 {
 /// Roughness parameters of a profile by ISO 21920-2.
 template <Real T = double>
 struct RoughnessParameters {
-    T mean_deviation{};            ///< Ra [m]
-    T rms_height{};                ///< Rq [m]
-    T skewness{};                  ///< Rsk
-    T kurtosis{};                  ///< Rku
-    T total_height{};              ///< Rt [m]
-    T section_height{};            ///< Rz [m]
-    T section_peak_height{};       ///< Rp [m]
-    T section_pit_depth{};         ///< Rv [m]
-    std::optional<T> rms_slope{};  ///< Rdq; none where no seven points follow one another
+    T mean_deviation{};               ///< Ra [m]
+    T rms_height{};                   ///< Rq [m]
+    T skewness{};                     ///< Rsk
+    T kurtosis{};                     ///< Rku
+    T total_height{};                 ///< Rt [m]
+    T section_height{};               ///< Rz [m]
+    T section_peak_height{};          ///< Rp [m]
+    T section_pit_depth{};            ///< Rv [m]
+    std::optional<T> rms_slope{};     ///< Rdq; none where no seven points follow one another
+    std::optional<T> mean_spacing{};  ///< RSm [m]; none where no element is complete
 
     std::size_t sections{};  ///< that hold a point: five, or fewer where points are missing
     T section_length{};      ///< [m]
@@ -78,6 +80,28 @@ template <Real F>
     }
     if (slopes == 0) return {};
     return squares.value() / static_cast<F>(slopes);
+}
+
+/// Mean distance of the rises of \p z through 0, in points; none where there are none without a missing point between
+/// them. A rise counts once \p z, which was below -\p least, is above \p least.
+template <Real F>
+[[nodiscard]] std::optional<F> mean_element_width(const std::vector<F>& z, F least) {
+    F width = 0, elements = 0, crossing = -1, last = -1;  // last: the rise that counted; < 0 for none
+    bool below = false;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+        if (std::isnan(z[i])) {
+            below = false, last = -1;
+            continue;
+        }
+        if (z[i] < -least) below = true, crossing = -1;
+        if (below && crossing < 0 && i > 0 && z[i] >= 0 && z[i - 1] < 0)
+            crossing = static_cast<F>(i) - z[i] / (z[i] - z[i - 1]);
+        if (!below || !(z[i] > least)) continue;
+        if (last >= 0) width += crossing - last, elements += 1;
+        last = crossing, below = false;
+    }
+    if (elements == 0) return {};
+    return width / elements;
 }
 
 }  // namespace detail
@@ -127,6 +151,8 @@ template <Real T>
     const std::size_t count = result.by_cutoff ? 5 * static_cast<std::size_t>(steps) : size;
     result.section_length = result.by_cutoff ? *cutoff : static_cast<T>(size) * profile.spacing / 5;
     detail::measure_sections(z, (size - count) / 2, count, unit, result);
+    if (const auto width = detail::mean_element_width(z, static_cast<double>(result.section_height) / unit / 10))
+        result.mean_spacing = static_cast<T>(*width * static_cast<double>(profile.spacing));
     return result;
 }
 
