@@ -82,7 +82,7 @@ void check_screen(const test::Outcome& outcome) {
     CHECK(test::contains(all, " Not in the band: "));
     CHECK(test::contains(all, "--full"));
     for (const char* words : {"over the answer", "plasticity index", " % only", "longer than an eighth", "sigma R D_p",
-                              "p*", "structure function", "no D and G", "above the highest peak"})
+                              "p*", "structure function", "D and G not found", "above the highest peak"})
         CHECK_FALSE(test::contains(all, words));
     for (const char* once : {"H/(E g)", "vibration", "no hardness"}) CHECK(all.find(once) == all.rfind(once));
 }

@@ -73,6 +73,19 @@ TEST_CASE("Offsets are seen from the size that changes K, and neither roughness 
     }
 }
 
+TEST_CASE("A plateau whose lines all have one median has no offsets, whatever its rounding is") {
+    for (const double plateau : {0., 3e-6, -0.1}) {
+        auto map = rough_map(3, 64);
+        // pits in one plane, tilted and levelled: the medians are those of rounding
+        map.heights =
+            (map.heights > 0.8e-9).select(plateau - 1e-6, HeightMap<double>::Array::Constant(64, 64, plateau));
+        const auto level = prepare(map, {.lambda_s = no_cut_off});
+        CHECK(detail::line_offsets(map).first == ScanAxis::automatic);
+        CHECK(detail::line_offsets(level.map).first == ScanAxis::automatic);
+        CHECK(detail::line_offsets(with_offsets(map, 1e-15, ScanAxis::x)).first == ScanAxis::automatic);
+    }
+}
+
 TEST_CASE("K of a map whose lines were offset and aligned is that without offsets to 2 %, where it was off by half") {
     const auto stiffness = [](const HeightMap<double>& map) {
         return hybrid_of_map(prepare(map, {.lambda_s = no_cut_off}).map, 110e9).at_pressure(100e6).stiffness.value;

@@ -7,7 +7,7 @@
 ///     median_of_differences   z_j,i - sum_(k <= j) m_k,  m_j = median_i(z_j,i - z_j-1,i): for plateaus and pits
 ///     offsets are seen where  mean m_j^2 > mean s_j^2/4, s_j = 1.4826 median_i |z_j,i - z_j-1,i - m_j|, by four times
 ///                             the ratio across the lines, and m_j and m_j+1 correlate below -0.1: -1/2 for offsets,
-///                             above 0 for a lay that is resolved
+///                             above 0 for a lay that is resolved; their rms is above 1e-6 of the rms height
 ///
 /// Waves that all points of a line share are lost with the offsets, 1 to 2 % of the rms height of 256 isotropic lines.
 ///
@@ -92,8 +92,10 @@ template <Real T>
 [[nodiscard]] std::pair<ScanAxis, T> line_offsets(const HeightMap<T>& map) {
     if ((std::min)(map.rows(), map.columns()) < 32) return {};
     const LineSteps<T> along_x = line_steps<T>(map.heights), along_y = line_steps<T>(map.heights.transpose());
-    const auto stand_out = [](const LineSteps<T>& lines, const LineSteps<T>& across) {
-        return lines.share > T(0.25) && lines.share > 4 * across.share && lines.correlation < T(-0.1);
+    const T rounding = (std::max)(T(1e-6), 100 * std::numeric_limits<T>::epsilon()) * rms_height(map);
+    const auto stand_out = [&](const LineSteps<T>& lines, const LineSteps<T>& across) {
+        return lines.rms > rounding && lines.share > T(0.25) && lines.share > 4 * across.share &&
+               lines.correlation < T(-0.1);
     };
     if (stand_out(along_x, along_y)) return {ScanAxis::x, along_x.rms};
     if (stand_out(along_y, along_x)) return {ScanAxis::y, along_y.rms};
