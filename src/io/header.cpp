@@ -59,7 +59,7 @@ std::vector<std::string_view> entry_cells(std::string_view line) {
 
 }  // namespace
 
-std::vector<HeaderEntry> header_entries(const NumberTable& table) {
+std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all) {
     std::vector<HeaderEntry> entries;
     std::vector<std::string_view> words;
     const auto add = [&](std::string_view text, std::size_t sign, std::size_t length, std::size_t line) {
@@ -90,7 +90,7 @@ std::vector<HeaderEntry> header_entries(const NumberTable& table) {
             continue;
         }
         if (sign == std::string_view::npos || sign == 0) {
-            if (!line.empty()) entries.push_back({"", std::string(line), table.lines[i].number});
+            if (all && !line.empty()) entries.push_back({"", std::string(line), table.lines[i].number});
             continue;
         }
         // "h=305 w=75": every word an entry

@@ -19,7 +19,8 @@ struct HeaderEntry {
     std::size_t line;
 };
 
-std::vector<HeaderEntry> header_entries(const NumberTable& table);
+/// Those of \p table; \p all: with its lines without a sign.
+std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all = false);
 
 /// Grid of a matrix by its header: lengths [m], counts.
 struct StatedGrid {

@@ -330,7 +330,13 @@ void turn_over(RawMap& map, const WrittenTitle& title, const std::vector<HeaderE
     for (const HeaderEntry& entry : entries) {
         constexpr std::size_t longest = 100;  // of a line that states something of the heights
         if (entry.line == title.line || entry.key.size() + entry.value.size() > longest) continue;
-        const Words key = words_of(entry.key), value = words_of(entry.value);
+        const Words key = words_of(entry.key);
+        if (!are_of_heights(key, [](const std::string& word) {
+                return is_one_of(word, inversion_words, turn_words, depth_words, unit_words, content_words) ||
+                       is_unit(word, Dimension::length);
+            }))
+            continue;
+        const Words value = words_of(entry.value);
         if (inversion.empty() && states_inversion(entry, key, value, name)) inversion = shown_line(entry);
         if (depth.empty() && !named && states_depth(entry, key, value)) depth = shown_line(entry);
     }

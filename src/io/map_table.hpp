@@ -23,7 +23,7 @@ public:
     MapTable(std::vector<Line> lines, std::string name, const SurfaceOptions& options, std::size_t before)
         : name_(std::move(name)),
           table_(open_table(std::move(lines), name_, map_rules, options, before)),
-          entries_(header_entries(table_)) {}
+          entries_(header_entries(table_, true)) {}
 
     /// The columns of the first row; of all rows once they are read.
     const NumberTable& opened() const { return table_; }

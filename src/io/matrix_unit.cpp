@@ -63,11 +63,12 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
                         .shown = std::string(given),
                         .text = std::string(given),
                         .from = "options"};
+        const HeaderEntry* const scale = stated_scale(entries).entry;
         for (const HeaderEntry& entry : entries)
             if (unit.contradicted.empty() && entry.key.starts_with("height conversion factor"))
                 unit.contradicted = "line " + std::to_string(entry.line) +
                                     ", which states a height conversion factor of " + printable(entry.value, 24);
-            else if (unit.contradicted.empty() && &entry == stated_scale(entries).entry)
+            else if (unit.contradicted.empty() && &entry == scale)
                 unit.contradicted = shown_line(entry);
             else if (unit.contradicted.empty() && is_height_unit_key(entry.key) &&
                      is_unit(entry.value, Dimension::length) &&

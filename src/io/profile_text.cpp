@@ -33,7 +33,7 @@ public:
 
     Reading read() {
         settle_lone_commas(table_);
-        entries_ = header_entries(table_);
+        entries_ = header_entries(table_, true);
         table_.missing = stated_missing(entries_, options_.missing, name_);
         read_rows(table_, name_, profile_rules);
         choose_columns();

@@ -127,6 +127,7 @@ private:
         map_.dx *= lateral, map_.dy *= lateral;
         for (double& height : map_.heights) height *= vertical;
         record.resolution *= vertical;
+        std::erase_if(record.entries, [](const auto& entry) { return entry.first == "units"; });
         record.say("units", "x and y in " + printable(given.front(), 16) + ", heights in " +
                                 printable(given.back(), 16) + ", from options");
         if (lateral != 1 || vertical != 1)
