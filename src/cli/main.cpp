@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff: normal contact stiffness of rough surfaces. Exit codes are listed in output.hpp and at the end of --help.
 #include "commands/commands.hpp"
+#include "document/own_output.hpp"
 #include "document/system.hpp"
 
 #include <fstiff/core/error.hpp>
@@ -28,6 +29,7 @@ int execute(const Command& command) {
     if (!file.empty()) {
         require_writable(file);
         keep_for_output(file);
+        if (!command.output->force) require_own(file);
     }
     const Report report = command.execute();
     deliver(report.document, file);

@@ -82,7 +82,7 @@ TEST_CASE("A file that may not grow further is reported with its reason, and the
     // 4 or 8 KiB; a build that measures its coverage must not write its counts under that limit
     const std::string go = "cd '" + (folder / "") + "' && export LLVM_PROFILE_FILE=/dev/null && ulimit -f 8 && fstiff ";
     const Outcome text =
-        shell(go + "generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um' -o out.csv");
+        shell(go + "generate profile --points 4096 --spacing '1 um' --hurst 0.5 --rms '1 um' -o out.csv --force");
     INFO(text.err);
     CHECK(text.status == 3);
     CHECK(lines(text.err).size() == 1);

@@ -15,8 +15,7 @@ known to a factor of two.)",
      R"(A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as
 { normal = ["5 um", "0.2 um"] }. Exit code 4: some scenes cannot be computed; their lines give the reason.)",
      "  fstiff sweep --example > grid.toml; fstiff sweep grid.toml -o results.jsonl", add_sweep},
-    {"export", "Compute", "The law of a scene as the contact law of a finite-element program",
-     "A file that fstiff did not make is not replaced.",
+    {"export", "Compute", "The law of a scene as the contact law of a finite-element program", "",
      "  fstiff export --to calculix --units mm,N,MPa --tolerance 1%", add_export},
     {"ultrasound", "Compute", "Ultrasonic reflection from the stiffness of an interface, or back",
      R"(A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. For shear

@@ -169,7 +169,6 @@ Command add_export(Arguments& command) {
         command.fields(given.request);
     };
     const auto answer = [](const Given<actions::ExportRequest>& given) {
-        if (const std::string file = given.output.target(); !file.empty()) require_own(file);
         actions::check(given.request);  // its errors are reported before the scene is read
         return given.report(actions::document_of(read_scene(given.scene), given.request));
     };

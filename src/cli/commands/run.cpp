@@ -39,7 +39,7 @@ Report execute(const Options& options) {
             throw Usage("--example prints a scene and computes nothing; give no scene, --surface or --plot with it");
         return {example_scene, {}, success};
     }
-    keep_for_picture(options.picture);
+    keep_for_picture(options.picture, options.output.force);
     const scene::Scene scene = read_scene(options.scene);
     const actions::Results results = computed(scene);
     return with_picture(

@@ -148,23 +148,6 @@ void require_writable(const std::string& file) {
     if (fs::exists(target, error) && !os::is_writable(target)) cannot_write(file, errno);
 }
 
-void require_own(const std::string& file) {
-    std::error_code error;
-    const fs::path path = document::path_of(file);
-    if (!fs::is_regular_file(path, error) && fs::exists(path, error)) return;  // a pipe, which nothing is read from
-    std::ifstream stream(path, std::ios::binary);
-    std::string line(200, '\0');
-    if (!stream) return;  // there is none
-    stream.read(line.data(), static_cast<std::streamsize>(line.size()));
-    line.resize(static_cast<std::size_t>(stream.gcount()));
-    if (line.empty()) return;  // nothing is lost
-    line.resize(std::min(line.find('\n'), line.size()));
-    if (line.starts_with("# fstiff ") || line.starts_with("** fstiff ") || line.starts_with("% fstiff ") ||
-        line.starts_with("fstiff contact law "))
-        return;
-    throw file_error(file, "was not made by fstiff and is not replaced; move it away or choose another name");
-}
-
 void deliver(const std::string& document, const std::string& file) {
     if (!file.empty()) return deliver({{file, document}});
     std::cout << std::flush;

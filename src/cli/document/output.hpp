@@ -25,6 +25,7 @@ struct OutputOptions {
     document::Format format = document::Format::table;
     bool for_people = false;  ///< on a terminal the table, unless a format is given
     std::string file;         ///< as it was given; empty: standard output
+    bool force = false;       ///< the file is replaced whoever made it
 
     /// The file to write; empty for standard output, which "-" is too.
     [[nodiscard]] std::string target() const;
@@ -59,9 +60,6 @@ void deliver(const std::string& document, const std::string& file);
 /// \throws file_error naming the file that cannot be written, and the reason that the system gives.
 void deliver(const std::vector<OutputFile>& files);
 
-/// For a file that nobody named, such as one next to a picture, and for a law that may lie next to a model. \throws
-/// file_error where \p file holds something and its first line does not name fstiff as its maker.
-void require_own(const std::string& file);
 /// Inputs that the command line names: files, as far as they exist.
 void name_inputs(std::vector<std::string> texts);
 /// Before anything is read: this process is going to write \p file, which is none of the inputs, whatever the names

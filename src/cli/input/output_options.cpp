@@ -33,6 +33,7 @@ void add_output_options(Arguments& arguments, OutputOptions& options, document::
 void add_output_option(Arguments& arguments, OutputOptions& options) {
     arguments.option("-o,--output", options.file,
                      {.help = "write to FILE instead of standard output, which - is", .type = "FILE"});
+    arguments.option("--force", options.force, {.help = "replace a file that fstiff did not make"});
 }
 
 void add_surface_option(Arguments& arguments, surface::SurfaceOptions& options, std::string_view key,

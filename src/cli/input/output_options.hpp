@@ -13,10 +13,10 @@
 
 namespace fstiff::cli {
 
-/// Adds --format and --output; \p initial is the format without --format.
+/// Adds --format, --output and --force; \p initial is the format without --format.
 void add_output_options(Arguments& arguments, OutputOptions& options,
                         document::Format initial = document::Format::table);
-/// --output alone, for a subcommand that has one form.
+/// --output and --force alone, for a subcommand that has one form.
 void add_output_option(Arguments& arguments, OutputOptions& options);
 /// --format alone, for a subcommand that writes a folder: its document goes to standard output.
 void add_format_option(Arguments& arguments, OutputOptions& options,

@@ -3,6 +3,7 @@
 #include "picture/plot.hpp"
 
 #include "actions/run.hpp"
+#include "document/own_output.hpp"
 
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/core/error.hpp>
@@ -226,13 +227,15 @@ Figure results_figure(const scene::Scene& scene, const actions::Results& results
     return figure;
 }
 
-void keep_for_picture(const std::string& file) {
+void keep_for_picture(const std::string& file, bool force) {
     if (file.empty()) return;
     const std::string table = table_of(file);
     require_writable(file);
-    require_own(table);
     keep_for_output(file);
     keep_for_output(table);
+    if (force) return;
+    require_own(file);
+    require_own(table, true);
 }
 
 Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file) {

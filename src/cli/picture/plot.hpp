@@ -73,8 +73,8 @@ struct Figure {
 /// \p figure as a file of its own.
 [[nodiscard]] std::string svg(const Figure& figure);
 /// Before anything is read: no input may be \p file or the table of its numbers, FILE.plot.csv. Does nothing without a
-/// \p file. \throws Usage unless it ends in .svg, file_error for a table that fstiff did not make.
-void keep_for_picture(const std::string& file);
+/// \p file. \throws Usage unless it ends in .svg, file_error for a file that fstiff did not make, unless \p force.
+void keep_for_picture(const std::string& file, bool force);
 /// Writes \p figure as \p file, unless that is empty, and next to it the numbers that are drawn: curve, panel, label,
 /// x_quantity, x, y_quantity, y, low, high. \p report names both. \throws file_error for what cannot be written.
 [[nodiscard]] Report with_picture(Report report, const std::function<Figure()>& figure, const std::string& file);
