@@ -181,10 +181,10 @@ def answer(
                         density, velocity, shear_velocity, thermal_conductivity, electrical_conductivity, and name for the rest;
                         lower is as upper unless it is given
     surface             what measure() returned, or takes without options, or a list of that, one for each joint
-    height, mean_height      rms height (Rq, Sq), or Ra or Sa in its place [m], or a text such as "0.8 um"
+    height, mean_height      rms height (Rq, Sq), or Ra or Sa in its place [m], or a text such as "0.8 um"; of Ra also "N6" or "VDI 24"
     gradient            rms gradient (Sdq); in its place profile_gradient (Rdq across the lay) or profile_spacing (RSm) [m]
     alpha, hurst, skewness, kurtosis, peak_radius, peak_density, fractal_dimension   as in a scene
-    process             what made the face, such as "ground": it decides what is assumed of the numbers that are not given
+    process             what made the face, such as "ground" or "grinding": it decides what is assumed of the numbers that are not given
     other               the other face where it is rough: a dict of the numbers above, or what measure() returned
     area                nominal area [m^2]
     quantities          of "tangential_stiffness", "reflection", "shear_reflection" (with a frequency [Hz]), "loss_factor" (with

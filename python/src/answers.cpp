@@ -3,6 +3,7 @@
 #include "module.hpp"
 
 #include "document/file.hpp"
+#include "request/words.hpp"
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/answer.hpp>
@@ -73,7 +74,7 @@ struct FaceInput {
         for (const auto& [name, value] : face_numbers)
             if (const auto found = numbers.find(name); found != numbers.end())
                 if (const double one = found->second.data()[i]; !std::isnan(one)) face.*value = one;
-        if (!process.empty()) face.process = parse<Process>(process, "process");
+        if (!process.empty()) face.process = detail::process_of(process, "process");
         if (!measured.empty()) {
             const auto& one = measured[measured.size() == 1 ? 0 : i];
             face.measured = {one, &one->found};
@@ -91,12 +92,9 @@ Solid solid_of(const std::string& name, const Numbers& numbers, const char* whic
     Solid solid;
     if (!name.empty()) {
         const NamedMaterial* found = find_material(name);
-        if (!found) {
-            std::vector<std::string_view> names;
-            for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
-            throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": must be one of " +
-                               document::list_of(names) + ", or a dict with youngs_modulus and poisson_ratio");
-        }
+        if (!found)
+            throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": " +
+                               request::unknown_material(name, "a dict with youngs_modulus and poisson_ratio"));
         const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
         solid = {.body = body_of(*found),
                  .density = found->density,

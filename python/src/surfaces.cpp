@@ -10,6 +10,7 @@
 #include "actions/scales.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/truth.hpp"
+#include "request/words.hpp"
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -233,6 +234,8 @@ void add_surfaces(nb::module_& m) {
         [](const nb::handle& value, const std::string& name) {
             request::Amount length;
             request::put(value_of(value), length, name, {});
+            if (name == "mean_height")
+                if (const auto of_grade = request::mean_height_of_grade(length.text())) return *of_grade;
             return surface::parse_length(length, name);
         },
         nb::arg("value"), nb::arg("name"));

@@ -3,6 +3,7 @@
 
 #include "io/lines.hpp"
 
+#include <fstiff/core/names.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/units.hpp>
 
@@ -64,7 +65,11 @@ std::string read_all(const std::string& file, std::uint64_t enough) {
         std::error_code error;
         const std::filesystem::path path = path_of(file);
         if (!std::filesystem::exists(path, error))
-            throw file_error(file, "no such file; the input must be an existing file");
+            throw file_error(file, error == std::errc::too_many_symbolic_link_levels
+                                       ? "is a link that leads to itself; the input must be an existing file"
+                                   : std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))
+                                       ? "is a link to a file that is not there; the input must be an existing file"
+                                       : "no such file; the input must be an existing file");
         if (std::filesystem::is_directory(path, error)) throw file_error(file, "is a folder; the input must be a file");
         const std::uintmax_t size =
             std::filesystem::is_regular_file(path, error) ? std::filesystem::file_size(path, error) : 0;
@@ -86,21 +91,23 @@ double parse_positive(const std::string& text, io::Dimension dimension, std::str
     return value;
 }
 
+bool is_control(std::string_view character) {
+    const auto byte = static_cast<unsigned char>(character[0]);
+    return byte < 0x20 || byte == 0x7f ||
+           (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0) ||
+           (character >= "\u200E" && character <= "\u200F") || (character >= "\u2028" && character <= "\u202E") ||
+           (character >= "\u2066" && character <= "\u2069");
+}
+
 std::string printable(std::string_view text, std::string_view kept) {
     std::string shown;
     shown.reserve(text.size());
     for (std::size_t place = 0; place < text.size();) {
         const std::size_t length = io::detail::utf8_length(text.substr(place));
         const std::string_view character = text.substr(place, std::max<std::size_t>(length, 1));
-        const auto byte = static_cast<unsigned char>(character[0]);
-        const bool is_control =
-            byte < 0x20 || byte == 0x7f ||
-            (character.size() == 2 && byte == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0) ||
-            (character >= "\u200E" && character <= "\u200F") || (character >= "\u2028" && character <= "\u202E") ||
-            (character >= "\u2066" && character <= "\u2069");
         if (length == 0)
             shown += "\uFFFD";
-        else if (is_control && kept.find(character) == std::string_view::npos)
+        else if (is_control(character) && kept.find(character) == std::string_view::npos)
             shown += ' ';
         else
             shown += character;
@@ -133,15 +140,21 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string_view nearest_word(std::string_view wrong, std::span<const std::string_view> words) {
+    for (const std::string_view word : words)
+        if (detail::is_same_name(wrong, word)) return word;
+    constexpr std::size_t shortest = 4, longest = 64;  // of a word that somebody mistyped
+    if (wrong.size() < shortest || wrong.size() > longest) return {};
+    std::size_t least = (wrong.size() + 1) / 3 + 1;
+    std::string_view nearest;
+    for (const std::string_view word : words)
+        if (const std::size_t distance = edits(wrong, word); distance < least) least = distance, nearest = word;
+    return nearest;
+}
+
 std::string suggestion(std::string_view wrong, const std::vector<std::string>& words) {
-    constexpr std::size_t longest = 64;  // of a word that somebody mistyped
-    if (wrong.size() > longest) return "";
-    std::size_t least = wrong.size() / 3 + 1;
-    std::string nearest;
-    for (const std::string& word : words)
-        if (const std::size_t distance = edits(wrong, word); distance < least + (nearest.empty() ? 1 : 0))
-            least = distance, nearest = word;
-    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+    const std::string_view nearest = nearest_word(wrong, std::vector<std::string_view>(words.begin(), words.end()));
+    return nearest.empty() ? "" : " (did you mean " + std::string(nearest) + "?)";
 }
 
 std::string list_and_suggestion(std::string_view wrong, std::span<const std::string_view> words) {

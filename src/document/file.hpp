@@ -38,6 +38,9 @@ inline constexpr std::uint64_t longest_scene = std::uint64_t(1) << 20;
 /// How messages call \p file.
 [[nodiscard]] std::string display_name(const std::string& file);
 
+/// Whether \p character of UTF-8 moves a cursor, ends a line or turns the direction of writing: below U+0020, U+007F
+/// to U+009F, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069.
+[[nodiscard]] bool is_control(std::string_view character);
 /// \p text of UTF-8 without control characters (below U+0020, U+007F to U+009F, those of lines and of the direction of
 /// writing), so that no name of a file moves a cursor, turns a line round or begins one: each is a blank, but for those
 /// in \p kept. Bytes that are no UTF-8 are U+FFFD.
@@ -68,6 +71,9 @@ auto about_file(const std::string& file, const Call& call) {
 [[nodiscard]] std::string shortest(double value);
 /// \p items quoted as "a", "b", "c".
 [[nodiscard]] std::string list_of(std::span<const std::string_view> items);
+/// The word of \p words with the same letters as \p wrong, whatever their capitals; else the nearest by its letters, if
+/// \p wrong has four or more: shorter ones mean something else. Empty where none is near.
+[[nodiscard]] std::string_view nearest_word(std::string_view wrong, std::span<const std::string_view> words);
 /// " (did you mean X?)" for the nearest of \p words, or nothing where none is near.
 [[nodiscard]] std::string suggestion(std::string_view wrong, const std::vector<std::string>& words);
 /// list_of with the suggestion after it: all \p words, and the nearest of them.

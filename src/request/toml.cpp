@@ -97,6 +97,38 @@ std::size_t breaking_line(std::string_view text) {
     return static_cast<std::size_t>(broken - ends.begin()) + 1;
 }
 
+/// What is likely wrong with \p value, which follows "=" in a text that is not valid TOML; empty: nothing is.
+std::string hint_of(std::string_view value) {
+    value = value.substr(std::min(value.find_first_not_of(" \t["), value.size()));
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    if (value.empty()) return "";
+    if (is_letter(value[0])) {
+        const bool is_word = value.starts_with("true") || value.starts_with("false") || value.starts_with("inf") ||
+                             value.starts_with("nan");
+        return is_word ? "" : "; write a text in quotation marks, such as \"ground\"";
+    }
+    const std::size_t end = std::min(value.find_first_not_of("+-.0123456789"), value.size());
+    if (value.find_first_of("0123456789") >= end) return "";
+    const std::string_view after = value.substr(end);
+    if (after.size() > 1 && after[0] == ',' && detail::is_decimal_digit(after[1]))
+        return "; the decimal mark is the point, as in 0.8";
+    const std::size_t unit = after.find_first_not_of(" \t");
+    const bool has_unit = unit != after.npos && (is_letter(after[unit]) || after[unit] == '/' || after[unit] == '%');
+    return has_unit ? "; write a quantity in quotation marks, such as \"0.8 um\"" : "";
+}
+
+/// The hint of the first value in line \p number of \p text that has one.
+std::string hint_of_line(std::string_view text, std::size_t number) {
+    for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    text = text.substr(0, text.find('\n'));
+    for (std::size_t i = 0; i < text.size();) {
+        if (text[i] == '=')
+            if (std::string hint = hint_of(text.substr(i + 1)); !hint.empty()) return hint;
+        i = std::max(after_quoted(text, i), i + 1);
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string written(const toml::node& node) {
@@ -136,7 +168,8 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
     if (text.size() > document::longest_scene)
         throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes or more; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
-        return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason);
+        return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason +
+                            hint_of_line(text, line));
     };
     if (text.find('\0') != std::string::npos)
         throw domain_error(file + ": is binary, or UTF-16 (it holds NUL bytes); must be TOML, a text in UTF-8");

@@ -5,6 +5,7 @@
 
 #include "document/file.hpp"
 #include "request/field.hpp"
+#include "request/words.hpp"
 
 #include <fstiff/core/error.hpp>
 
@@ -150,9 +151,8 @@ public:
         : source_(source), table_(table), path_(std::move(path)) {
         for (const auto& [key, node] : table)
             if (std::find(valid.begin(), valid.end(), key.str()) == valid.end())
-                throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": unknown key; valid keys" +
-                                   (path_.empty() ? "" : " of " + path_) + " are " +
-                                   document::list_and_suggestion(key.str(), valid));
+                throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": " +
+                                   unknown_key(key.str(), path_, valid));
     }
     std::string key(std::string_view name) const { return (path_.empty() ? "" : path_ + ".") + std::string(name); }
     /// The place of the section itself, for messages.

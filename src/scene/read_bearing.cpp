@@ -20,21 +20,28 @@ using CoreKeys = std::array<std::string_view, 5>;
 constexpr std::array<CoreKeys, 2> core_keys{
     {{"Sk", "Spk", "Svk", "Smr1", "Smr2"}, {"Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"}}};
 
+/// The names of skewness and kurtosis, those of a map and of a profile too.
+using MomentKeys = std::array<std::string_view, 3>;
+constexpr MomentKeys skewness_keys{"skewness", "Ssk", "Rsk"}, kurtosis_keys{"kurtosis", "Sku", "Rku"};
+
 void read_shape(Source& source, const Section& surface, JointFace& face) {
-    const auto number = [&](const char* name, const char* other) {
+    std::string_view skewness_key = surface.one_of(skewness_keys), kurtosis_key = surface.one_of(kurtosis_keys);
+    const auto number = [&](std::string_view& key, const MomentKeys& keys, std::string_view other) {
+        if (key.empty()) key = keys[0];
         const toml::node& node =
-            surface.at(name, "is missing; surface.skewness and surface.kurtosis belong together, and " +
-                                 surface.key(other) + " is there");
-        return source.number(node, surface.key(name));
+            surface.at(key, "is missing; surface.skewness and surface.kurtosis belong together, and " +
+                                surface.key(other) + " is there");
+        const double value = source.number(node, surface.key(key));
+        if (key != keys[0]) source.record_default(surface.key(keys[0]), "of " + std::string(key), value);
+        return value;
     };
-    const double skewness = number("skewness", "kurtosis"), kurtosis = number("kurtosis", "skewness");
-    if (!(std::abs(skewness) <= detail::most_skewness<double>))
-        source.refuse(*surface.find("skewness"), surface.key("skewness"), "must be from -3 to 3");
+    const double skewness = number(skewness_key, skewness_keys, kurtosis_key),
+                 kurtosis = number(kurtosis_key, kurtosis_keys, skewness_key);
+    if (!(std::abs(skewness) <= detail::most_skewness<double>)) surface.refuse(skewness_key, "must be from -3 to 3");
     const double least = skewness * skewness + 1;
     if (!(kurtosis >= least && kurtosis <= detail::most_kurtosis<double>))
-        source.refuse(
-            *surface.find("kurtosis"), surface.key("kurtosis"),
-            "must be from " + document::rounded(least, 3) + " to 100 at this skewness; 3 is that of Gaussian heights");
+        surface.refuse(kurtosis_key, "must be from " + document::rounded(least, 3) +
+                                         " to 100 at this skewness; 3 is that of Gaussian heights");
     face.skewness = skewness, face.kurtosis = kurtosis;
 }
 
@@ -83,7 +90,7 @@ BearingSlope<double> read_heights(Source& source, const toml::node& node, const 
 }  // namespace
 
 std::vector<std::string_view> bearing_keys() {
-    std::vector<std::string_view> keys{"skewness", "kurtosis", "bearing_curve"};
+    std::vector<std::string_view> keys{"skewness", "kurtosis", "Ssk", "Sku", "Rsk", "Rku", "bearing_curve"};
     for (const CoreKeys& core : core_keys) keys.insert(keys.end(), core.begin(), core.end());
     return keys;
 }
@@ -100,7 +107,7 @@ void read_bearing(Source& source, const Section& surface, JointFace& face) {
             std::find_if(keys.begin(), keys.end(), [&](std::string_view key) { return surface.find(key); });
         return there == keys.end() ? nullptr : &*there;
     };
-    constexpr std::array<std::string_view, 2> moments{"skewness", "kurtosis"};
+    constexpr std::array<std::string_view, 6> moments{"skewness", "kurtosis", "Ssk", "Sku", "Rsk", "Rku"};
     constexpr std::array<std::string_view, 1> list{"bearing_curve"};
     const std::array<std::span<const std::string_view>, 4> ways{moments, list, core_keys[0], core_keys[1]};
     std::vector<std::string_view> firsts;

@@ -14,6 +14,23 @@
 namespace fstiff::scene {
 namespace {
 
+constexpr std::array<std::string_view, 7> body_keys{
+    "name",     "youngs_modulus",       "poisson_ratio",          "yield_strength",
+    "hardness", "thermal_conductivity", "electrical_conductivity"};
+
+/// Refuses a key of a body in [material] itself, naming the section that takes it.
+void refuse_keys_of_body(const Source& source, const toml::table& material) {
+    for (const auto& [key, node] : material) {
+        const std::string_view meant = request::meant_key(key.str(), std::array<std::string_view, 2>{"upper", "lower"});
+        const std::string_view of_body = request::meant_key(key.str(), body_keys);
+        if (!meant.empty() || of_body.empty()) continue;
+        const auto name = material["upper"].value<std::string>();
+        throw domain_error(source.at(node) + ": material." + std::string(key.str()) +
+                           ": is a key of a body; write [material.upper] with " +
+                           (name && of_body != "name" ? "name = \"" + *name + "\" and " : "") + std::string(of_body));
+    }
+}
+
 /// A body of [material].
 struct ReadBody {
     fstiff::Body body{};
@@ -33,14 +50,7 @@ struct ReadBody {
 const NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
     const std::string name = source.text(node, key);
     if (const auto* material = find_material(name)) return *material;
-    std::vector<std::string_view> names = detail::near_materials(name);
-    const bool near = !names.empty();
-    if (!near)
-        for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
-    source.refuse(node, key,
-                  (near ? "is no material that is known; did you mean " : "must be one of ") +
-                      document::list_and_suggestion(near ? "" : name, names) + (near ? "? Or give" : ", or") +
-                      " a section with youngs_modulus and poisson_ratio");
+    source.refuse(node, key, request::unknown_material(name, "a section with youngs_modulus and poisson_ratio"));
 }
 
 /// "240 HV", "180 HBW", "60 HRC" or "HV 240", of a body with the modulus \p modulus [Pa], as a pressure [Pa]; none:
@@ -102,9 +112,7 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     static const toml::table empty;
     if (!node.is_string() && !node.is_table())
         source.refuse(node, key, "must be the name of a material, such as \"steel\", or a section of keys");
-    const Section body(source, node.is_table() ? *node.as_table() : empty, key,
-                       {"name", "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "thermal_conductivity",
-                        "electrical_conductivity"});
+    const Section body(source, node.is_table() ? *node.as_table() : empty, key, body_keys);
     ReadBody read;
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
@@ -166,6 +174,7 @@ std::string shown(const Material<double>& material) {
 void read_materials(Source& source, const toml::table* table, Scene& scene) {
     static const toml::table steel{{"upper", "steel"}};
     const bool assumed = !table || table->empty();
+    if (table) refuse_keys_of_body(source, *table);
     const Section material(source, assumed ? steel : *table, "material", {"upper", "lower"});
     const ReadBody upper =
         read_material(source, material.at("upper", "is missing; the scene needs it"), material.key("upper"));

@@ -50,14 +50,14 @@ void read_law_options(request::Source& source, const Section& root, LawName law,
 
 namespace {
 
-/// A list of quantities, or { from, to, count, spacing }, or one force. Separations may have either sign, the others
+/// A list of quantities, or { from, to, count, spacing }, or one quantity. Separations may have either sign, the others
 /// are positive.
 std::vector<double> read_values(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
     const bool loads = dimension != Dimension::length;
     const auto read_one = [&](const toml::node& item, const std::string& item_key) {
         return loads ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
     };
-    if (dimension == Dimension::force && !node.is_array() && !node.is_table()) return {read_one(node, key)};
+    if (!node.is_array() && !node.is_table()) return {read_one(node, key)};
     if (const auto* list = node.as_array()) {
         if (list->empty()) source.refuse(node, key, "is an empty list; at least one value is needed");
         std::vector<double> points;
@@ -65,8 +65,6 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
             points.push_back(read_one((*list)[i], key + "[" + std::to_string(i) + "]"));
         return points;
     }
-    if (!node.is_table())
-        source.refuse(node, key, "must be a list of quantities or a table { from, to, count, spacing }");
 
     constexpr double most = 100000;
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
@@ -139,9 +137,13 @@ void read_points(Source& source, const Section& root, const Section& contact, Sc
         std::string_view name;
         Dimension dimension;
     };
-    constexpr std::array<Kind, 3> kinds{
-        {{"pressures", Dimension::pressure}, {"separations", Dimension::length}, {"force", Dimension::force}}};
-    const std::string_view name = contact.one_of(std::array{kinds[0].name, kinds[1].name, kinds[2].name});
+    constexpr std::array<Kind, 4> kinds{{{"pressures", Dimension::pressure},
+                                         {"pressure", Dimension::pressure},
+                                         {"separations", Dimension::length},
+                                         {"force", Dimension::force}}};
+    std::array<std::string_view, kinds.size()> names;
+    std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
+    const std::string_view name = contact.one_of(names);
     if (name.empty())
         static_cast<void>(contact.at("pressures",
                                      "is missing; the scene needs contact.pressures, contact.force or "
@@ -307,8 +309,9 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.law_options.spectrum)
         scene.face.write([&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
-    std::vector<std::string_view> keys{"nominal_area", "washer",  "ball_radius", "pressures", "separations",
-                                       "force",        "seating", "laws",        "peaks",     "interaction"};
+    std::vector<std::string_view> keys{"nominal_area", "washer",      "ball_radius", "pressures",
+                                       "pressure",     "separations", "force",       "seating",
+                                       "laws",         "peaks",       "interaction"};
     for (const LawName law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     read_area(source, contact, scene, replaced);

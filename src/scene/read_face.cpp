@@ -2,6 +2,8 @@
 #include "scene/readers.hpp"
 
 #include "document/file.hpp"
+#include "document/shown_unit.hpp"
+#include "request/words.hpp"
 #include "surface/surface_option_table.hpp"
 
 #include <algorithm>
@@ -13,55 +15,6 @@
 #include <string>
 
 namespace fstiff::scene {
-
-namespace {
-
-constexpr std::array<std::string_view, 5> height_keys{"rms_height", "Rq", "Sq", "Ra", "Sa"};
-constexpr std::array<std::string_view, 4> gradient_keys{"rms_gradient", "Sdq", "Rdq", "RSm"};
-
-std::optional<Following> read_height(Source& source, const Section& surface, JointFace& face) {
-    const std::string_view key = surface.one_of(height_keys);
-    if (key.empty())
-        (void)surface.at("rms_height",
-                         "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");
-    (key.back() == 'a' ? face.mean_height : face.rms_height) = surface.positive(key, Dimension::length);
-    if (key == "rms_height") return std::nullopt;
-    return Following{source.inputs.size(), Parameter::rms_height, key};
-}
-
-std::optional<Following> read_gradient(Source& source, const Section& surface, JointFace& face) {
-    const std::string_view key = surface.one_of(gradient_keys);
-    if (key.empty() || key == "rms_gradient") return std::nullopt;  // read_spectrum() reads that
-    auto& to = key == "RSm" ? face.profile_spacing : key == "Sdq" ? face.rms_gradient : face.profile_gradient;
-    source.read(surface.at(key), surface.key(key), to,
-                {.high = std::numeric_limits<double>::max(),
-                 .above_low = true,
-                 .dimension = key == "RSm" ? std::optional(Dimension::length) : std::nullopt});
-    return Following{source.inputs.size(), Parameter::rms_gradient, key};
-}
-
-}  // namespace
-
-std::vector<std::string_view> roughness_keys() {
-    std::vector<std::string_view> keys(height_keys.begin() + 1, height_keys.end());
-    keys.insert(keys.end(), gradient_keys.begin() + 1, gradient_keys.end());
-    return keys;
-}
-
-void refuse_extremes(const Source& source, const toml::table& table, const std::string& path) {
-    for (const char* key : {"Rz", "Rt", "Sz", "Rmax"})
-        if (const toml::node* node = table.get(key))
-            source.refuse(*node, path + "." + key,
-                          "is the height from the deepest valley to the highest peak, 4 to 10 times Ra and different "
-                          "at every place; give Ra or Rq (Sa or Sq for a map)");
-}
-
-std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& face) {
-    std::vector<Following> numbers;
-    for (const auto read : {read_height, read_gradient})
-        if (const auto number = read(source, surface, face)) numbers.push_back(*number);
-    return numbers;
-}
 
 namespace {
 
@@ -273,6 +226,28 @@ detail::Face face_of_section(const Source& source, const Section& surface, const
     }
 }
 
+/// "upper: " of the key "surface.upper.process"; empty of one face.
+std::string label_of(const std::string& key) {
+    const std::size_t begin = key.find('.') + 1, end = key.find('.', begin);
+    return end == key.npos ? "" : key.substr(begin, end - begin) + ": ";
+}
+
+/// The process of a face by any word for it, which the record explains.
+Process read_process(Source& source, const toml::node& node, const std::string& key, Scene& scene) {
+    const auto* text = node.as_string();
+    const auto process = text ? detail::find_process(text->get()) : std::nullopt;
+    if (!process)
+        source.refuse(node, key,
+                      "must be one of " + document::list_of(detail::choices<Process>()) +
+                          ", or another word for one of these; any other process is \"unknown\"");
+    const std::string word = text->get(), name(name_of(*process));
+    source.record(key, word == name ? word : word + " (" + name + ")");
+    if (*process == Process::unknown && word != name)
+        scene.assumptions.push_back(label_of(key) + "no ranges for \"" + document::printable(word) +
+                                    "\" surfaces are known: those of an unknown process");
+    return *process;
+}
+
 /// Reads the section \p path, the next face of \p scene.
 detail::Face read_face(Source& source, const toml::table& table, const std::string& path, Scene& scene,
                        const ProgressHook& progress) {
@@ -286,8 +261,12 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
         record_measured(source, *measured, path);
         given.measured = found_of(measured);
     }
-    if (const toml::node* node = surface.find("process")) source.read(*node, surface.key("process"), given.process);
+    if (const toml::node* node = surface.find("process"))
+        given.process = read_process(source, *node, surface.key("process"), scene);
     if (!given.measured) following = read_roughness(source, surface, given);
+    if (const toml::node* node = surface.find("Ra"); node && request::mean_height_of_grade(written(*node)))
+        scene.assumptions.push_back(label_of(surface.key("Ra")) + "Ra " + document::shown_length(*given.mean_height) +
+                                    ", of " + written(*node));
     surface.read([&](auto take) { each_of_spectrum(given, take); });
     read_parameters(source, surface, given);
     read_errors(source, surface, given);
@@ -327,7 +306,7 @@ void take_surface(Source& source, const SceneSource& from, const toml::node* pro
                                                 : document::display_name(from.surface) + " (--surface)");
     record_measured(source, *measured, "surface");
     JointFace given{.measured = found_of(measured)};
-    if (process) source.read(*process, "surface.process", given.process);
+    if (process) given.process = read_process(source, *process, "surface.process", scene);
     scene.face = detail::face_of(given);
     scene.measured = {measured};
 }

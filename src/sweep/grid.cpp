@@ -92,7 +92,7 @@ void read_range(Source& source, const toml::table& table, Swept& swept) {
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
     const bool log = section.find("spacing")
                          ? source.choice(*section.find("spacing"), section.key("spacing"), spacings) == 0
-                         : key.starts_with("contact.pressures") || key.starts_with("contact.force");
+                         : key.starts_with("contact.pressure") || key.starts_with("contact.force");
     if (!(from.value < to.value))
         source.refuse(section.at("to"), section.key("to"), "must be greater than " + section.key("from"));
     if (log && !(from.value > 0))
@@ -212,9 +212,10 @@ public:
 private:
     /// Whether the scene has a list here, so that one means many values of one scene.
     static bool takes_list(const std::string& key) {
-        static const std::set<std::string> lists{"surface.from",      "surface.upper.from",  "surface.lower.from",
-                                                 "contact.pressures", "contact.separations", "contact.force",
-                                                 "contact.laws",      "contact.peaks",       "output.quantities"};
+        static const std::set<std::string> lists{"surface.from",      "surface.upper.from", "surface.lower.from",
+                                                 "contact.pressures", "contact.pressure",   "contact.separations",
+                                                 "contact.force",     "contact.laws",       "contact.peaks",
+                                                 "output.quantities"};
         return lists.contains(key);
     }
     template <class Read>

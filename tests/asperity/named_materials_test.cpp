@@ -103,7 +103,17 @@ TEST_CASE("An unknown name has the materials next to it") {
     CHECK(near("stainles", "stainless_steel"));
     CHECK(near("42CrMo", "42CrMo4"));
     CHECK(near("EN AW-7075 T651", "7075"));
-    for (const char* none : {"", "-", "wood", "x"}) CHECK(near_materials(none).empty());
+    for (const char* none : {"", "-", "wood", "x", "rubber", "gold", "tin", "wax", "concrete"})
+        CHECK(near_materials(none).empty());
+    // a hint is one row, and only where no name is near or several are
+    for (const auto& [name, row] :
+         {std::pair("Alu", "aluminium"), std::pair("AlMgSi1", "6082"), std::pair("MgAZ31", "AZ31B"),
+          std::pair("Stahl", "steel"), std::pair("1.4305", "stainless_steel"),
+          std::pair("X8CrNiS18-9", "stainless_steel"), std::pair("AISI 303", "stainless_steel"),
+          std::pair("S275JR", "steel"), std::pair("GGG50", "GJS-400"), std::pair("CuZn37", "brass"),
+          std::pair("1.2842", "tool_steel")})
+        CHECK(near_materials(name) == std::vector<std::string_view>{row});
+    for (const auto& hint : fstiff::detail::material_hints) CHECK(find_material(hint.name) != nullptr);
 }
 
 TEST_CASE("The range of a hardness holds what handbooks give") {

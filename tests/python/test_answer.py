@@ -140,6 +140,19 @@ def test_heights_in_another_unit_are_warned_of_where_they_were_given():
     assert caught[0].filename == __file__
 
 
+def test_processes_and_grades_by_other_words():
+    of = dict(mean_height="0.8 um", pressures=PRESSURES, samples=0)
+    ground = fstiff.answer(**of, process="ground").stiffness
+    assert np.array_equal(fstiff.answer(**of, process="grinding").stiffness, ground)
+    assert np.array_equal(fstiff.answer(**{**of, "mean_height": "N6"}, process="ground").stiffness, ground)
+    unknown = fstiff.answer(**of).stiffness
+    assert np.array_equal(fstiff.answer(**of, process="reamed").stiffness, unknown) and not np.array_equal(unknown, ground)
+    with pytest.raises(ValueError, match='did you mean "stainless_steel"'):
+        fstiff.answer(**of, upper="1.4305")
+    with pytest.raises(ValueError, match="height"):
+        fstiff.answer(height="N6", pressures=PRESSURES)
+
+
 @pytest.mark.parametrize(
     "given, sentence",
     [

@@ -170,8 +170,8 @@ TEST_CASE("A field refuses by its key, its value and what it allows, whatever gi
         "height", "[\"1 um\"]", "",
         "height = [...]: must be a text such as \"0.8 um\"; several values are for a grid, which fstiff sweep reads");
     refused("edges", "\"open\"", "open", "edges = \"open\": must be one of \"mirrored\", \"periodic\"");
-    CHECK(
-        contains(test::refusal([] { (void)of_scene("heigth = 1"); }), "heigth: unknown key; valid keys are \"fills\""));
+    CHECK(contains(test::refusal([] { (void)of_scene("heigth = 1"); }),
+                   "heigth: unknown key (did you mean height?); valid keys are \"fills\""));
     CHECK(
         contains(test::refusal([] { (void)of_line("heigth", "1"); }), "heigth is not an option; must be one of fills"));
 }

@@ -118,4 +118,30 @@ TEST_CASE("A profile across a lay gives the gradient to the root of two") {
     CHECK(relative_error(lay.middle * lay.middle, lay.high) < 1e-15);
 }
 
+TEST_CASE("Every other word for a process has one meaning, whatever its capitals and separators") {
+    std::vector<std::string_view> words;
+    for (const detail::ProcessWords& row : detail::process_words)
+        for (std::string_view rest = row.words; !rest.empty();) {
+            const std::size_t end = std::min(rest.find(','), rest.size());
+            const std::string_view word = rest.substr(0, end);
+            INFO(word);
+            CHECK(detail::find_process(word) == row.process);
+            for (const std::string_view other : words) CHECK_FALSE(detail::is_same_name(word, other));
+            words.push_back(word);
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+    for (const auto& known : names<Process>) CHECK(detail::find_process(known.name) == known.value);
+    CHECK(detail::find_process("Sand_Blasted") == Process::blasted);
+    CHECK(detail::find_process("edm") == Process::eroded);
+    for (const char* none : {"", "gruond", "milledd", "ground,turned"})
+        CHECK_FALSE(detail::find_process(none).has_value());
+    CHECK(detail::process_of("grinding", "process") == Process::ground);
+    try {
+        (void)detail::process_of("gruond", "process");
+        FAIL("a word that names no process is not refused");
+    } catch (const domain_error& error) {
+        CHECK(std::string(error.what()).find("process = \"gruond\": must be one of unknown, ground") == 0);
+    }
+}
+
 }  // namespace process_prior_test

@@ -139,19 +139,6 @@ inline constexpr std::array<NamedMaterial, 44> named_materials{
      {.name = "silicon", .elastic = {160e9, 0.22}, .density = 2330, .bulk = {9, 10.5, 13}, .unit = GPa, .source = "[s] single crystal"}}};
 // clang-format on
 
-/// Whether \p a and \p b are the same name: case, blanks, hyphens and "_" do not matter.
-[[nodiscard]] constexpr bool is_same_name(std::string_view a, std::string_view b) {
-    const auto plain = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    const auto skip = [](std::string_view& text) {
-        while (!text.empty() && (text[0] == ' ' || text[0] == '-' || text[0] == '_')) text.remove_prefix(1);
-    };
-    for (;; a.remove_prefix(1), b.remove_prefix(1)) {
-        skip(a), skip(b);
-        if (a.empty() || b.empty()) return a.empty() && b.empty();
-        if (plain(a[0]) != plain(b[0])) return false;
-    }
-}
-
 /// Whether \p test holds for the name of \p material or for another of its names.
 template <class Test>
 [[nodiscard]] constexpr bool any_name(const NamedMaterial& material, const Test& test) {
@@ -181,9 +168,56 @@ namespace fstiff::inline v0_1 {
 
 namespace fstiff::inline v0_1::detail {
 
-/// Materials with a name that \p name or one of its words is, begins, or begins with.
+/// Beginning of names that the table does not have, or with $ a whole one, with # for one digit or more, and the row
+/// that is nearest.
+struct MaterialHint {
+    std::string_view begin, name;
+};
+
+/// Numbers and short names of EN and AISI, and German words. A row comes before those that it begins with.
+// clang-format off
+inline constexpr auto material_hints = std::to_array<MaterialHint>({
+    {"1.4", "stainless_steel"}, {"X#CrNi", "stainless_steel"}, {"X#Cr1", "stainless_steel"}, {"AISI_3", "stainless_steel"},
+    {"SS3", "stainless_steel"}, {"Edelstahl", "stainless_steel"}, {"inox", "stainless_steel"}, {"V2A", "304"}, {"V4A", "316L"},
+    {"1.2", "tool_steel"}, {"X#Cr", "tool_steel"}, {"Werkzeugstahl", "tool_steel"}, {"1.35", "100Cr6"}, {"W\xC3\xA4lzlagerstahl", "100Cr6"},
+    {"1.", "steel"}, {"Stahl", "steel"}, {"Baustahl", "S235"}, {"St#", "steel"}, {"S#", "steel"}, {"C#", "steel"}, {"Ck#", "steel"},
+    {"E#", "steel"}, {"#Cr", "steel"}, {"#Mn", "steel"}, {"#Ni", "steel"}, {"AISI", "steel"}, {"SAE", "steel"},
+    {"GGG", "GJS-400"}, {"0.7", "GJS-400"}, {"5.3", "GJS-400"}, {"GG", "GJL-250"}, {"0.6", "GJL-250"}, {"5.1", "GJL-250"},
+    {"Grauguss", "GJL-250"}, {"Guss", "cast_iron"}, {"Eisen", "cast_iron"},
+    {"AlMgSi", "6082"}, {"AlSiMg", "6082"}, {"AlSi1Mg", "6082"}, {"3.2315", "6082"}, {"AlMg1Si", "6061"}, {"3.3211", "6061"}, {"AlZn", "7075"},
+    {"3.4365", "7075"}, {"AlCu", "2024"}, {"3.1355", "2024"}, {"AlSi", "AlSi10Mg"}, {"Aluminiumoxid$", "alumina"}, {"Korund", "alumina"},
+    {"sapphire", "alumina"}, {"Alu$", "aluminium"}, {"Al$", "aluminium"}, {"AlMg", "aluminium"}, {"AlMn", "aluminium"}, {"Al9", "aluminium"}, {"EN_AW", "aluminium"},
+    {"AA#", "aluminium"}, {"3.5", "AZ31B"}, {"3.7", "titanium"}, {"3.", "aluminium"}, {"Titan", "titanium"}, {"Ti#", "titanium"}, {"TiAl", "Ti-6Al-4V"},
+    {"MgAZ", "AZ31B"}, {"MgAl", "AZ31B"}, {"Mg", "AZ31B"}, {"AZ", "AZ31B"},
+    {"CuZn", "brass"}, {"Ms#", "brass"}, {"Messing", "brass"}, {"2.03", "brass"}, {"2.04", "brass"}, {"CW5", "brass"}, {"CW6", "brass"},
+    {"CuSn", "bronze"}, {"Rotguss", "bronze"}, {"2.10", "bronze"}, {"2.00", "copper"}, {"CW0", "copper"}, {"Kupfer", "copper"}, {"Cu", "copper"},
+    {"2.46", "Inconel_718"}, {"2.4", "nickel"}, {"Wolfram", "tungsten"}, {"Hartmetall", "cemented_carbide"}, {"carbide", "cemented_carbide"},
+    {"Siliziumnitrid", "silicon_nitride"}, {"Silizium", "silicon"}, {"Quarz", "fused_silica"}});
+// clang-format on
+
+/// Whether \p name begins with \p begin, whose # is one digit or more.
+[[nodiscard]] constexpr bool begins_with_hint(std::string_view name, std::string_view begin) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    for (; !begin.empty(); begin.remove_prefix(1)) {
+        while (!name.empty() && (name[0] == ' ' || name[0] == '-' || name[0] == '_')) name.remove_prefix(1);
+        if (begin[0] == '_') continue;
+        if (begin[0] == '$') return name.empty();
+        if (name.empty() || (begin[0] == '#' ? !is_digit(name[0]) : small(begin[0]) != small(name[0]))) return false;
+        name.remove_prefix(1);
+        while (begin[0] == '#' && !name.empty() && is_digit(name[0])) name.remove_prefix(1);
+    }
+    return true;
+}
+
+/// Materials with a name that \p name or one of its words is, begins, or begins with; where these are none or several
+/// the one of the hint, if \p name has one.
 [[nodiscard]] inline std::vector<std::string_view> near_materials(std::string_view name) {
     std::vector<std::string_view> names;
+    const auto hint = std::find_if(material_hints.begin(), material_hints.end(),
+                                   [&](const MaterialHint& row) { return begins_with_hint(name, row.begin); });
+    const bool has_hint = hint != material_hints.end();
+    if (has_hint && hint->begin.back() == '$') return {hint->name};
     const auto consider = [&](std::string_view word) {
         const auto is_near = [&](std::string_view other) {
             const std::size_t least = (std::min)(word.size(), other.size());
@@ -199,6 +233,7 @@ namespace fstiff::inline v0_1::detail {
         consider(name.substr(0, end + (end + 1 == name.size() ? 1 : 0)));
         name.remove_prefix(end + 1);
     }
+    if (has_hint && names.size() != 1) return {hint->name};
     return names;
 }
 

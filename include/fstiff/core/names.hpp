@@ -77,6 +77,19 @@ template <NamedEnum Enum>
     return std::nullopt;
 }
 
+/// Whether \p a and \p b are the same name: case, blanks, hyphens and "_" do not matter.
+[[nodiscard]] constexpr bool is_same_name(std::string_view a, std::string_view b) {
+    const auto plain = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    const auto skip = [](std::string_view& text) {
+        while (!text.empty() && (text[0] == ' ' || text[0] == '-' || text[0] == '_')) text.remove_prefix(1);
+    };
+    for (;; a.remove_prefix(1), b.remove_prefix(1)) {
+        skip(a), skip(b);
+        if (a.empty() || b.empty()) return a.empty() && b.empty();
+        if (plain(a[0]) != plain(b[0])) return false;
+    }
+}
+
 /// The words alone.
 template <NamedEnum Enum>
 [[nodiscard]] constexpr auto choices() noexcept {

@@ -8,6 +8,7 @@
 ///     kurtosis = 3 + 1.5 skewness^2 + tail             tail 0 for heights with the density of a gamma distribution
 ///     g = sqrt(2) 2.3 (1.3 to 4.4) 2 pi sigma/RSm      from the mean spacing of a profile
 ///     m2 = D_p sigma^2/0.0425, g^2 = 1.5 sigma/R       from R and D_p of islands
+///     find_process("sand-blasted")                     Process::blasted, by the table of other words
 ///
 /// Reference   docs/theory-surface.md: sources of the slopes and of the ranges, of which several are second-hand
 /// Units       sigma, R [m], D_p [1/m^2], RSm [m]; all else dimensionless
@@ -21,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace fstiff::inline v0_1 {
@@ -143,3 +146,62 @@ inline constexpr auto names<Process> = detail::name_list<Process>({{Process::unk
                                                                    {Process::eroded, "eroded"}});
 
 }  // namespace fstiff::inline v0_1
+
+namespace fstiff::inline v0_1::detail {
+
+/// Other words for processes, as is_same_name() compares them. Those without a row above are Process::unknown.
+struct ProcessWords {
+    Process process;
+    std::string_view words;  ///< with commas between them; letters beyond ASCII by their bytes in UTF-8
+};
+
+// clang-format off
+inline constexpr std::array<ProcessWords, 9> process_words{{
+    {Process::unknown, "reamed,reaming,gerieben,rolled,rolling,cold rolled,hot rolled,gewalzt,scraped,scraping,geschabt,"
+                       "superfinished,superfinish,superfinishing,shot peened,shot peening,peened,peening,kugelgestrahlt,"
+                       "burnished,burnishing,roller burnished,rolliert,drilled,drilling,gebohrt,bored,boring,broached,broaching,"
+                       "ger\xC3\xA4umt,geraeumt,planed,gehobelt,"
+                       "extruded,extrusion,drawn,gezogen,sawn,sawed,ges\xC3\xA4gt,gesaegt,etched,etching,ge\xC3\xA4tzt,geaetzt,pickled,"
+                       "gebeizt,anodized,anodised,eloxiert,coated,beschichtet,plated,galvanized,galvanised,verzinkt,painted,lackiert,"
+                       "moulded,molded,3D printed,printed,additive,SLM,LPBF,EBM,laser melted,selective laser melted,laser melting,"
+                       "sintered,gesintert,laser cut,flame cut,water jet cut,filed,gefeilt,brushed,geb\xC3\xBCrstet,gebuerstet,"
+                       "electropolished,electropolishing,elektropoliert,chemically polished,worn,hobbed,machined,machining,"
+                       "bearbeitet,as built,unbekannt"},
+    {Process::ground,   "grinding,surface ground,surface grinding,cylindrical grinding,cylindrically ground,fine ground,geschliffen,"
+                        "schleifen,feingeschliffen,plangeschliffen,flachgeschliffen,rundgeschliffen"},
+    {Process::turned,   "turning,lathe,face turned,facing,faced,hard turned,hard turning,finish turned,fine turned,diamond turned,"
+                        "gedreht,drehen,plangedreht,feingedreht,hartgedreht"},
+    {Process::milled,   "milling,face milled,face milling,end milled,end milling,fly cut,gefr\xC3\xA4st,gefraest,fr\xC3\xA4sen,fraesen,"
+                        "plangefr\xC3\xA4st,plangefraest"},
+    {Process::honed,    "honing,plateau honed,plateau honing,gehont,honen"},
+    {Process::lapped,   "lapping,gel\xC3\xA4ppt,gelaeppt,l\xC3\xA4ppen,laeppen"},
+    {Process::polished, "polishing,mechanically polished,mirror polished,buffed,buffing,poliert,polieren"},
+    {Process::blasted,  "blasting,sand blasted,sand blasting,grit blasted,grit blasting,bead blasted,bead blasting,shot blasted,"
+                        "shot blasting,abrasive blasted,gestrahlt,strahlen,sandgestrahlt,sandstrahlen"},
+    {Process::eroded,   "erosion,EDM,EDMed,spark eroded,spark erosion,wire eroded,wire EDM,die sinking,sinker EDM,"
+                        "electro discharge machined,electro discharge machining,electrical discharge machined,"
+                        "electrical discharge machining,electric discharge machined,erodiert,erodieren,funkenerodiert,"
+                        "drahterodiert,senkerodiert"}}};
+// clang-format on
+
+/// The process of \p word, its name or another word for it; none of a word that is in neither list.
+[[nodiscard]] constexpr std::optional<Process> find_process(std::string_view word) {
+    for (const auto& known : names<Process>)
+        if (is_same_name(word, known.name)) return known.value;
+    for (const ProcessWords& row : process_words)
+        for (std::string_view rest = row.words; !rest.empty();) {
+            const std::size_t end = (std::min)(rest.find(','), rest.size());
+            if (is_same_name(word, rest.substr(0, end))) return row.process;
+            rest.remove_prefix((std::min)(end + 1, rest.size()));
+        }
+    return std::nullopt;
+}
+
+/// The same. \throws domain_error with \p parameter for a word that is in neither list.
+[[nodiscard]] inline Process process_of(std::string_view word, std::string_view parameter) {
+    if (const auto process = find_process(word)) return *process;
+    refuse(parameter, "\"" + std::string(word) + "\"",
+           "one of " + choices_text<Process>() + ", or another word for one of these; any other process is unknown");
+}
+
+}  // namespace fstiff::inline v0_1::detail
