@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 #: Near the beginning of every file that is written; files without it are not replaced.
 MARK = "made by python -m fstiff"
 
+#: Characters that move a cursor, end a line or turn the direction of writing, of a name for example: blanks on a page.
+NOT_SHOWN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+
 #: What text, axes and ticks are drawn in: a page puts its own colour, light or dark, in its place.
 INK = "#010203"
 STYLE = {
@@ -157,7 +160,7 @@ def keep(*files: Path) -> None:
     for file in files:
         if file.is_dir():
             raise FileError(f"{file}: is a folder")
-        if file.exists() and MARK.encode() not in file.read_bytes()[:2000]:
+        if file.exists() and file.stat().st_size and MARK.encode() not in file.read_bytes()[:2000]:
             raise FileError(f"{file}: was not made by fstiff and is not replaced; move it away or choose another name")
 
 
@@ -206,10 +209,11 @@ class Page:
         self.add(f"<figure>{svg(of)}" + (f"<figcaption>{escape(caption)}</figcaption>" if caption else "") + "</figure>")
 
     def __str__(self) -> str:
-        return (
+        return NOT_SHOWN.sub(
+            " ",
             f"<!doctype html>\n<!-- {MARK} -->\n"
             '<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
             f"<title>{escape(self.title)}</title>\n<style>\n{CSS}\n</style></head>\n<body>\n<h1>{escape(self.title)}</h1>\n"
             + "\n".join(self._body)
-            + "\n</body></html>\n"
+            + "\n</body></html>\n",
         )

@@ -300,6 +300,7 @@ Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& requ
     Identified identified;
     identified.wanted = parameters_of(request);
     identified.curve = curve ? *std::move(curve) : read_measured_curve(request.measured);
+    require_distinct_points(identified.curve);
     identified.found = identify(scene, identified.curve,
                                 {identified.wanted, request.law, request.wave == WaveKind::shear, request.prefix});
     return identified;

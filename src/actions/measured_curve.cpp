@@ -11,6 +11,7 @@
 #include <array>
 #include <limits>
 #include <string_view>
+#include <tuple>
 
 namespace fstiff::actions {
 namespace {
@@ -261,6 +262,22 @@ MeasuredCurve read_measured_curve(const std::string& file) {
         curve.computed.erase(curve.computed.begin());
     }
     return curve;
+}
+
+void require_distinct_points(const MeasuredCurve& curve) {
+    const auto numbers = [](const MeasuredPoint& point) {
+        return std::tuple(point.curve, point.pressure, point.value, point.error);
+    };
+    std::vector<MeasuredPoint> points = curve.points;
+    std::sort(points.begin(), points.end(), [&](const MeasuredPoint& a, const MeasuredPoint& b) {
+        return std::tuple(numbers(a), a.line) < std::tuple(numbers(b), b.line);
+    });
+    const auto twice =
+        std::adjacent_find(points.begin(), points.end(),
+                           [&](const MeasuredPoint& a, const MeasuredPoint& b) { return numbers(a) == numbers(b); });
+    if (twice != points.end())
+        throw domain_error(curve.name + ":" + std::to_string((twice + 1)->line) + ": is the point of line " +
+                           std::to_string(twice->line) + " again; every point must be given once");
 }
 
 MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,

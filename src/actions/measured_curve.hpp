@@ -45,6 +45,9 @@ struct MeasuredCurve {
 /// left out where laws are named.
 /// \throws domain_error naming file, line and what must be there.
 [[nodiscard]] MeasuredCurve read_measured_curve(const std::string& file);
+/// \throws domain_error, naming the lines, where \p curve holds one point twice, with its error: a copied row would
+/// count as a second measurement. One pressure with two values is none.
+void require_distinct_points(const MeasuredCurve& curve);
 /// A curve that no file holds: the values, reflections or else stiffnesses, at \p pressures, with their standard errors
 /// unless there are none. Messages call it \p name, and its first point line 1. \throws domain_error for lists of
 /// unlike lengths, and for numbers that a file may not hold.

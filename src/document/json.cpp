@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "document/json.hpp"
 
+#include "document/file.hpp"
+#include "io/number.hpp"
+
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
 
@@ -66,17 +69,25 @@ struct JsonPrinter {
 
 namespace {
 
-/// \p json without the control characters that JSON itself lets pass.
+/// \p json with \uXXXX for the control characters that JSON itself lets pass.
 std::string printed(const nlohmann::ordered_json& json, int indent) {
     std::string text = json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     for (std::size_t place = 0; place < text.size(); ++place) {
-        const bool is_delete = text[place] == 0x7f;
-        const auto next = static_cast<unsigned char>(place + 1 < text.size() ? text[place + 1] : 0);
-        if (!is_delete && !(text[place] == '\xc2' && next < 0xa0)) continue;
+        if (static_cast<unsigned char>(text[place]) < 0x7f) continue;  // its line ends too
+        const std::size_t length = io::detail::utf8_length(std::string_view(text).substr(place));
+        const std::string_view character = std::string_view(text).substr(place, length);
+        if (!is_control(character)) {
+            place += length - 1;
+            continue;
+        }
+        unsigned code = 0;  // of at most three bytes
+        for (const char byte : character) code = code << 6 | (static_cast<unsigned char>(byte) & 0x3fu);
+        code = length == 1 ? 0x7fu : code & 0xffffu;
         constexpr const char* digits = "0123456789abcdef";
-        const unsigned code = is_delete ? 0x7f : next;
-        text.replace(place, is_delete ? 1 : 2, {'\\', 'u', '0', '0', digits[code / 16], digits[code % 16]});
-        place += 5;
+        std::string escape = "\\u";
+        for (int shift = 12; shift >= 0; shift -= 4) escape += digits[code >> shift & 15];
+        text.replace(place, length, escape);
+        place += escape.size() - 1;
     }
     return text;
 }

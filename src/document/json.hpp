@@ -66,7 +66,7 @@ private:
     std::variant<std::nullptr_t, bool, double, std::int64_t, std::uint64_t, std::string, Items, Members> value_;
 };
 
-/// \p text in quotation marks, with all control characters as \\u00XX but those that have a letter, such as \\n; JSON
+/// \p text in quotation marks, with all control characters as \\uXXXX but those that have a letter, such as \\n; JSON
 /// itself asks that of those below U+0020 only. Bytes that are no UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(std::string_view text);
 

@@ -13,9 +13,21 @@ bool has_both_signs(std::string_view cell) {
 
 namespace {
 
-/// The way out where \p cell has separators of thousands; empty where it has none.
-std::string way_out(const NumberTable& table, std::string_view cell) {
-    const std::string_view sign = thousands_sign_of(cell);
+/// Whether a cell of \p table has \p sign between thousands.
+bool has_grouped_cell(const NumberTable& table, std::string_view sign) {
+    std::vector<std::string_view> cells;
+    return std::any_of(table.lines.begin() + static_cast<std::ptrdiff_t>(table.first), table.lines.end(),
+                       [&](const Line& line) {
+                           split_line(line.text, table.dialect.separator, cells);
+                           return std::any_of(cells.begin(), cells.end(),
+                                              [&](std::string_view cell) { return is_grouped(cell, sign); });
+                       });
+}
+
+/// The way out where \p cell has separators of thousands, or others have with the decimal \p sign; else empty.
+std::string way_out(const NumberTable& table, std::string_view cell, std::string_view decimal) {
+    std::string_view sign = thousands_sign_of(cell);
+    if (sign.empty() && has_grouped_cell(table, decimal)) sign = decimal;
     if (sign.empty()) return "";
     return ", or with those that are " + given_as(table.names, "thousands", "\"" + std::string(sign) + "\"");
 }
@@ -26,7 +38,8 @@ void refuse_sign(const NumberTable& table, const std::string& name, std::size_t 
                  bool comma) {
     refuse_line(name, line,
                 {shown_cell(cell), " is not a number where the decimal sign is the ", comma ? "comma" : "point",
-                 "; allowed are numbers with one decimal sign, without separators of thousands", way_out(table, cell)});
+                 "; allowed are numbers with one decimal sign, without separators of thousands",
+                 way_out(table, cell, comma ? "," : ".")});
 }
 
 void refuse_grouped_row(const NumberTable& table, const std::string& name, const Line& line) {

@@ -3,9 +3,6 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-namespace {
-
-/// Whether column \p c of \p table rises, or falls, in equal steps, as positions do.
 bool rises_evenly(const NumberTable& table, std::size_t c) {
     const std::size_t last = table.rows() - 1;
     const double first = table.at(0, c), step = (table.at(last, c) - first) / static_cast<double>(last);
@@ -13,6 +10,8 @@ bool rises_evenly(const NumberTable& table, std::size_t c) {
         if (!(std::abs(table.at(r, c) - first - static_cast<double>(r) * step) <= 0.6 * std::abs(step))) return false;
     return step != 0;
 }
+
+namespace {
 
 /// Without titles, a first column that counts next to one of equal steps may be either. \throws domain_error then.
 void require_no_count(const NumberTable& table, const std::string& name, std::size_t heights,

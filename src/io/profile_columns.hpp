@@ -39,6 +39,9 @@ struct ProfileColumns {
     }
 };
 
+/// Whether column \p c of \p table, counted from 0, rises or falls in equal steps, as positions do.
+bool rises_evenly(const NumberTable& table, std::size_t c);
+
 /// The columns of \p table, whose rows are read. \throws domain_error naming the file \p name.
 ProfileColumns profile_columns(const NumberTable& table, const std::string& name, const ColumnChoice& choice);
 

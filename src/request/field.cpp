@@ -149,7 +149,9 @@ Value Value::of_text(std::string text, Giver giver) {
     const auto number = io::detail::leading_number(value.written);
     if (value.written.empty() || number.length != value.written.size() || number.status != io::detail::NumberStatus::ok)
         return value;
-    value.kind = number.value == std::floor(number.value) ? Kind::integer : Kind::real;
+    const bool is_digits = value.written.find_first_of(".eE") == std::string::npos;
+    const bool is_whole = number.value == std::floor(number.value) && (is_digits || std::abs(number.value) <= 0x1p53);
+    value.kind = is_whole ? Kind::integer : Kind::real;
     value.number = number.value;
     return value;
 }
@@ -186,9 +188,10 @@ void put(const Value& value, std::vector<std::string>& to, std::string_view key,
     }
     std::string joined;
     put(value, joined, key, {});
-    for (std::size_t begin = 0; begin < joined.size();) {
+    for (std::size_t begin = 0; !joined.empty() && begin <= joined.size();) {
         const std::size_t end = std::min(joined.find(',', begin), joined.size());
         to.push_back(joined.substr(begin, end - begin));
+        if (to.back().empty()) refuse(value, key, "has an empty part; must have a word on each side of a comma");
         begin = end + 1;
     }
 }

@@ -116,7 +116,7 @@ function sceneText(points) {
     }
     lines.push("", "[material]", `upper = ${bodyText("upper")}`);
     if ($("lower").value !== "same") lines.push(`lower = ${bodyText("lower")}`);
-    const pressures = $("pressures").value.split(/[\s,;]+/).filter(Boolean);
+    const pressures = $("pressures").value.split(/[\s;]+|,(?!\d)/).filter(Boolean);  // "1,5" is refused as one
     lines.push("", "[contact]", `pressures = [${pressures.map((one) => text(one + " MPa")).join(", ")}]`);
     if (points) lines.push(`boundary_elements.points = ${points}`);
     return lines.join("\n") + "\n";

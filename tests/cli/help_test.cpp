@@ -54,6 +54,13 @@ TEST_CASE("Wrong use ends with exit code 2 and one sentence") {
     test::check_refused("run a.toml b.toml", 2, {"b.toml"});
 }
 
+TEST_CASE("A flag takes no value") {
+    for (const std::string flag : {"fill", "resample", "scales"})
+        for (const std::string value : {"2-1", "3.7", "'1 MPa'", "false"})
+            test::check_refused("measure x --" + flag + "=" + value, 2, {"--" + flag + " takes no value"});
+    test::check_refused("run --full=1", 2, {"--full takes no value"});
+}
+
 TEST_CASE("A file whose name begins with - is refused with the way to give it") {
     const test::Folder folder;
     folder.write("-dash.csv", "1\n2\n");

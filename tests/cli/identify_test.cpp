@@ -243,7 +243,11 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
                              const std::string& input) { test::check_refused(call, status, parts, input); };
     refused(start + "--fit sigma,width", 2, {"--fit", "width", "\"offset\""}, data);
     refused(start + "--fit sigma,sigma", 2, {"--fit", "sigma", "twice"}, data);
+    for (const char* empty : {"sigma,", ",sigma", "sigma,,R"})
+        refused(start + "--fit " + empty, 2, {"--fit = \"" + std::string(empty) + "\"", "has an empty part"}, data);
     refused(start, 2, {"--fit"}, data);
+    refused(start + "--fit sigma", 3, {"standard input:4: is the point of line 2 again"},
+            "p [MPa],K [GPa/um]\n1,0.01\n2,0.02\n1,0.01\n");
     refused("identify '" + good + "' --fit sigma", 2, {"--measured"}, data);
     refused("identify - --measured - --fit sigma", 2, {"standard input"}, data);
     refused(start + "--fit sigma --law gauss", 2, {"--law"}, data);

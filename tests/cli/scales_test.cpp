@@ -20,6 +20,9 @@ TEST_CASE("the table of --scales, its CSV and its picture are of one file") {
     CHECK(test::run_fstiff("measure " + map + " " + map + " --scales").status == 2);
     CHECK(test::run_fstiff("measure " + map + " --scales --pressure 10").status == 3);
     CHECK(test::run_fstiff("measure " + map + " --scales --modulus '0 GPa'").status == 3);
+    // without --scales they are checked too
+    test::check_refused("measure " + map + " --modulus /", 3, {"--modulus = \"/\""});
+    test::check_refused("measure " + map + " --pressure a,b", 3, {"--pressure = \"a,b\""});
 }
 
 }  // namespace scales_test

@@ -435,6 +435,17 @@ TEST_CASE("A position that leaps forth is named itself instead of the one after 
     CHECK(has(refusal(text), "line 9: position 70 um is between 6 and 8 um"));
 }
 
+TEST_CASE("Exchanged columns are refused with the options that exchange them") {
+    const std::string text = "z [um],x [um]\n" + rows([](auto x, auto z) { return z + "," + x + "\n"; });
+    CHECK(has(refusal(text),
+              "positions must rise, or fall, throughout; column 2 does in equal steps: if it holds them, "
+              "give x_column = 2 and column = 1"));
+    check_rows(read(text, {.column = 1, .x_column = 2}), 1e-6, 1e-6);
+    const std::string neither = "x [um],z [um]\n" + rows([](auto, auto z) { return z + "," + z + "\n"; });
+    CHECK(has(refusal(neither), "positions must rise, or fall, throughout"));
+    CHECK_FALSE(has(refusal(neither), "column 2 does"));
+}
+
 TEST_CASE("A number that denotes missing points is reported or refused with the option that states it", "[missing]") {
     const auto text = [](const std::string& header, const std::string& missing) {
         std::string all = header + "x [um],z [nm]\n";

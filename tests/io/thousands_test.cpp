@@ -92,6 +92,11 @@ TEST_CASE("Thousands in quotes are refused between commas and read by the option
         CHECK(has(refusal(profile(",", z)), "thousands = \",\""));
         check_heights(read(profile(",", z), {.thousands = ","}));
     }
+    // where another column has points
+    const std::string halves =
+        profile(",", quoted, [](int i) { return std::to_string(i / 2) + (i % 2 ? ".5" : ".0"); });
+    CHECK(has(refusal(halves), "thousands = \",\""));
+    check_heights(read(halves, {.thousands = ","}));
     // decimal commas in quotes
     check_heights(read(profile(",", [](int i) { return "\"" + std::to_string(height(i)) + ",0\""; })));
 }

@@ -35,6 +35,14 @@ def test_the_answer_is_first_and_every_number_is_there(root):
     assert page == fstiff.report(fstiff.Scene(root / "data" / "bolted_joint.toml"))  # the same page twice
 
 
+def test_no_character_of_a_page_moves_a_cursor_or_turns_the_text(tmp_path):
+    scene = tmp_path / "scene.toml"
+    scene.write_text('name = "a\\u001bb\\u202ec\\u2028d"\n[surface]\nRq = "0.8 um"\n[contact]\npressures = ["1 MPa"]\n')
+    page = fstiff.report(scene)
+    assert not re.search("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069]", page)
+    assert "a b c d" in page
+
+
 def test_a_measured_surface_is_shown_with_its_scales(rough_map, trace, tmp_path):
     np.save(tmp_path / "map.npy", rough_map)
     scene = tmp_path / "scene.toml"

@@ -30,6 +30,19 @@ TEST_CASE("A fact that is added to a document is in its text, its CSV and its JS
     CHECK(json.at("warnings").empty());
 }
 
+TEST_CASE("No character of JSON moves a cursor, ends a line or turns the direction of writing") {
+    const std::string kept = " \u00B5\u2027\u00A0\U0001F600", name =
+                                                                  "a\u202E"
+                                                                  "b\u2028"
+                                                                  "c\x1b\x7f\xC2\x85\u2066\u200E" +
+                                                                  kept;
+    const std::string text = fstiff::document::Json({{"name", name}}).str();
+    CHECK(text == R"({
+  "name": "a\u202eb\u2028c\u001b\u007f\u0085\u2066\u200e)" +
+                      kept + "\"\n}\n");
+    CHECK(nlohmann::json::parse(text).at("name") == name);
+}
+
 TEST_CASE(
     "A column that is added to the table of a document is in all of its forms, and its facts are not in the CSV") {
     Document document("truth");

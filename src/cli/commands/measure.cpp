@@ -24,11 +24,9 @@ struct Options {
 };
 
 /// The document of --scales.
-Report execute_scales(const Options& options) {
+Report execute_scales(const Options& options, actions::ScalesOptions load) {
     if (options.files.size() != 1) throw Usage("--scales is of one file");
-    actions::ScalesOptions load{.progress = progress_bar()};
-    load.pressure = document::parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
-    load.modulus = document::parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
+    load.progress = progress_bar();
     surface::MeasureOptions measure = options.measure;
     measure.input.file = options.files.front();
     const surface::SurfaceInput input = read_surface_input(measure.input);
@@ -39,7 +37,10 @@ Report execute_scales(const Options& options) {
 }
 
 Report execute(const Options& options) {
-    if (options.scales) return execute_scales(options);
+    actions::ScalesOptions load;  // checked where it is not used either
+    load.pressure = document::parse_positive(options.pressure, io::Dimension::pressure, "--pressure");
+    load.modulus = document::parse_positive(options.modulus, io::Dimension::pressure, "--modulus");
+    if (options.scales) return execute_scales(options, load);
     surface::MeasureOptions measure = options.measure;
     const ProgressHook progress = progress_bar();
     measure.keep_maps = false;

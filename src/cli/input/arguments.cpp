@@ -55,6 +55,8 @@ Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
     const auto unknown = program.remaining(true);
     if (chosen.empty() && !unknown.empty()) return no_command(program, unknown.front());
     std::string text = error.what(), help = program.get_name();
+    if (const std::size_t flag = text.find(" was given a disallowed flag override"); flag != text.npos)
+        text = "--" + text.substr(0, flag) + " takes no value; must be given without =";
     if (!chosen.empty()) {
         help += " " + chosen.front()->get_name();
         if (!unknown.empty() && unknown.front().starts_with("-") && is_existing_file(unknown.front()))
@@ -82,6 +84,17 @@ void refuse_empty(const std::vector<std::string>& words) {
 
 }  // namespace
 
+namespace {
+
+/// The items of \p list as one text with commas between them, whose parts are read then.
+request::Value joined(const request::Value& list) {
+    request::Value text;
+    for (const request::Value& item : list.items) text.written += (text.written.empty() ? "" : ",") + item.written;
+    return text;
+}
+
+}  // namespace
+
 void Arguments::add(const std::string& name, const request::Field& field, const Target& target) {
     using request::Value;
     const auto taken = [field, key = name.substr(name.find(',') + 1), put = target.put,
@@ -96,16 +109,15 @@ void Arguments::add(const std::string& name, const request::Field& field, const 
     CLI::Option* option =
         several ? app_->add_option_function<std::vector<std::string>>(
                       name,
-                      [taken](const std::vector<std::string>& texts) {
+                      [taken, are_files](const std::vector<std::string>& texts) {
                           Value list{.kind = Value::Kind::list};
                           for (const std::string& text : texts) list.items.push_back({.written = text});
-                          taken(list);
+                          taken(are_files ? list : joined(list));
                       },
                       field.help)
                 : app_->add_option_function<std::string>(
                       name, [taken](const std::string& text) { taken(Value::of_text(text, Value::Giver::command)); },
                       field.help);
-    if (several && !are_files) option->delimiter(',');
     std::string type(several ? "TEXT" : target.kind), words;
     if (field.has_range())
         type += ":" + type + " in [" + request::Field::text_of(field.low) + " - " +
@@ -117,7 +129,11 @@ void Arguments::add(const std::string& name, const request::Field& field, const 
     option->required(field.required);
     if (field.shows_default) option->default_str(target.initial);
 }
-void Arguments::flag(const std::string& name, bool& to, const std::string& help) { app_->add_flag(name, to, help); }
+void Arguments::flag(const std::string& name, bool& to, const std::string& help) {
+    app_->add_flag_function(
+            name, [&to, name](std::int64_t) { to = true; }, help)
+        ->disable_flag_override();
+}
 
 namespace {
 
