@@ -52,7 +52,8 @@ std::vector<std::string> nature(const Scene& scene, const Results& results) {
         std::any_of(answer.reasons.begin(), answer.reasons.end(),
                     [](const detail::AnswerReason& reason) { return reason.loading_stiffness.has_value(); });
     if (is_nearly_elastic(answer))
-        return {"The contact is nearly elastic" + number + ": K is the same for loading, vibration and waves, within 5 %."};
+        return {"The contact is nearly elastic" + number +
+                ": K is the same for loading, vibration and waves, within 5 %."};
     if (answer.flows)
         return {"The peaks yield at first loading" + number + ": K is the unloading stiffness.",
                 std::string("Vibration and waves depend on K; the first static loading ") +
@@ -194,10 +195,10 @@ Explanation explanation(const Scene& scene, const Results& results) {
     const StiffnessAnswer& answer = *results.answer;
     Explanation text{nature(scene, results), {}};
     if (std::string source = source_of(scene, answer); !source.empty()) text.sentences.push_back(std::move(source));
-    text.shorter = {is_nearly_elastic(answer) ? std::string("The contact is nearly elastic.")
-                    : answer.flows                   ? "The peaks yield: K is that of unloading."
-                    : !answer.relative_hardness      ? "Taken as elastic."
-                                                     : "K is that of an elastic contact; peaks may yield."};
+    text.shorter = {is_nearly_elastic(answer)   ? std::string("The contact is nearly elastic.")
+                    : answer.flows              ? "The peaks yield: K is that of unloading."
+                    : !answer.relative_hardness ? "Taken as elastic."
+                                                : "K is that of an elastic contact; peaks may yield."};
     if (has_lay(scene)) text.shorter = {"A profile across a lay does not determine K."};
     return text;
 }

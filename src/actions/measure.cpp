@@ -84,11 +84,11 @@ void put_parameters(Json& document, const MeasuredSurface& surface, const Surfac
         {"m0_m2", moments.m0}, {"m2", moments.m2}, {"m4_per_m2", moments.m4}, {"alpha", moments.bandwidth()}};
     document["shape_share"] = parameters.shape_share;
     if (const auto& waves = parameters.all_waves)
-        document["all_waves"] = {{"rms_gradient", waves->rms_gradient.value},
-                                 {"rms_gradient_error", waves->rms_gradient.error},
-                                 {"m0_m2", waves->moments.m0},
-                                 {"m2", waves->moments.m2},
-                                 {"m4_per_m2", waves->moments.m4}};
+        document["all_waves"] = {
+            {"rms_gradient", {{"value", waves->rms_gradient.value}, {"error", waves->rms_gradient.error}}},
+            {"m0_m2", waves->moments.m0},
+            {"m2", waves->moments.m2},
+            {"m4_per_m2", waves->moments.m4}};
 }
 
 Json measure_json(const surface::MeasureOptions& options, const MeasuredSurface& surface, const RoughnessTable& table) {

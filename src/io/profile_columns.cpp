@@ -3,6 +3,9 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
+namespace {
+
+/// Whether column \p c of \p table, counted from 0, rises or falls in equal steps, as positions do.
 bool rises_evenly(const NumberTable& table, std::size_t c) {
     const std::size_t last = table.rows() - 1;
     const double first = table.at(0, c), step = (table.at(last, c) - first) / static_cast<double>(last);
@@ -10,8 +13,6 @@ bool rises_evenly(const NumberTable& table, std::size_t c) {
         if (!(std::abs(table.at(r, c) - first - static_cast<double>(r) * step) <= 0.6 * std::abs(step))) return false;
     return step != 0;
 }
-
-namespace {
 
 /// Without titles, a first column that counts next to one of equal steps may be either. \throws domain_error then.
 void require_no_count(const NumberTable& table, const std::string& name, std::size_t heights,
@@ -24,6 +25,13 @@ void require_no_count(const NumberTable& table, const std::string& name, std::si
 }
 
 }  // namespace
+
+std::string must_rise(const NumberTable& table, std::size_t heights, std::size_t positions, const OptionNames& names) {
+    const std::string rule = "; positions must rise, or fall, throughout", column = std::to_string(heights);
+    if (!rises_evenly(table, heights - 1)) return rule;
+    return rule + "; column " + column + " does in equal steps: if it holds them, give " + of_words(names, "x_column") +
+           names.equals + column + " and " + of_words(names, "column") + names.equals + std::to_string(positions);
+}
 
 ProfileColumns profile_columns(const NumberTable& table, const std::string& name, const ColumnChoice& choice) {
     const std::size_t columns = table.columns;

@@ -39,8 +39,9 @@ struct ProfileColumns {
     }
 };
 
-/// Whether column \p c of \p table, counted from 0, rises or falls in equal steps, as positions do.
-bool rises_evenly(const NumberTable& table, std::size_t c);
+/// That positions must rise, and the way out where the heights of \p table do, in the columns \p heights and
+/// \p positions.
+std::string must_rise(const NumberTable& table, std::size_t heights, std::size_t positions, const OptionNames& names);
 
 /// The columns of \p table, whose rows are read. \throws domain_error naming the file \p name.
 ProfileColumns profile_columns(const NumberTable& table, const std::string& name, const ColumnChoice& choice);

@@ -296,13 +296,8 @@ private:
                of_words(options_.names, "x_column") + options_.names.equals + column + ")";
     }
 
-    /// The way out where the heights rise as positions do; empty elsewhere.
-    std::string exchanged_columns() const {
-        const OptionNames& names = options_.names;
-        if (!rises_evenly(table_, notes_.height_column - 1)) return "";
-        return "; column " + std::to_string(notes_.height_column) + " does in equal steps: if it holds them, give " +
-               of_words(names, "x_column") + names.equals + std::to_string(notes_.height_column) + " and " +
-               of_words(names, "column") + names.equals + std::to_string(notes_.position_column);
+    std::string must_rise() const {
+        return detail::must_rise(table_, notes_.height_column, notes_.position_column, options_.names);
     }
 
     /// Step of the positions, in the file's unit, always positive.
@@ -322,18 +317,16 @@ private:
             const double next = (x[i] - x[i - 1]) * direction;
             // 1 30 3: without the 30, the positions go on as they should
             if (next < 0 && i > 1 && (x[i] - x[i - 2]) * direction > 0)
-                refuse_line(
-                    name_, table_.row_lines[i - 1],
-                    {"position ", x[i - 1], " ", notes_.position_unit, " is between ", x[i - 2], " and ", x[i], " ",
-                     notes_.position_unit, "; positions must rise, or fall, throughout", exchanged_columns()});
+                refuse_line(name_, table_.row_lines[i - 1],
+                            {"position ", x[i - 1], " ", notes_.position_unit, " is between ", x[i - 2], " and ", x[i],
+                             " ", notes_.position_unit, must_rise()});
             if (next < 0 || (next == 0 && printed < std::abs(mean)))
                 refuse_line(name_, table_.row_lines[i],
                             {"position ", x[i], " ", notes_.position_unit, " follows ", x[i - 1], " ",
-                             notes_.position_unit, "; positions must rise, or fall, throughout", exchanged_columns()});
+                             notes_.position_unit, must_rise()});
         }
         if (mean == 0)
-            refuse_file(name_, {"has all its positions at ", x.front(), " ", notes_.position_unit,
-                                "; positions must rise, or fall, throughout", exchanged_columns()});
+            refuse_file(name_, {"has all its positions at ", x.front(), " ", notes_.position_unit, must_rise()});
         // both ends of a step and both ends of the whole are rounded, or cut, to the printed digits
         const double allowed = 1.01 * printed + 0.01 * std::abs(mean);
         double worst = 0;

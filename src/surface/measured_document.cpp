@@ -54,6 +54,17 @@ LongEnd<double> long_end_of(const Parsed& document, const std::string& name) {
             number("form_share", 1e3)};
 }
 
+/// The moments of the object \p moments, with the rms gradient \p gradient.
+HeightStatistics<double> statistics_of(const Parsed& moments, const Measurement<double>& gradient,
+                                       const std::string& place) {
+    const auto moment = [&](const char* key) { return number_of(moments, key, place); };
+    const HeightStatistics<double> heights{.rms_gradient = gradient,
+                                           .moments = {moment("m0_m2"), moment("m2"), moment("m4_per_m2")}};
+    if (!(heights.moments.m2 > 0 && heights.moments.bandwidth() > 0 && gradient.value > 0 && gradient.error >= 0))
+        throw domain_error(place + ": must be greater than 0, and needs rms_gradient");
+    return heights;
+}
+
 /// Parameters, moments and cut-offs of \p document, or of one of its neighbours.
 Surface<double> values_of(const Parsed& document, const std::string& name) {
     if (!document.is_object()) throw domain_error(name + ": must be an object");
@@ -97,27 +108,16 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
             throw domain_error(name + ": shape_share: must be from 0 to 1");
     }
     if (const auto moments = document.find("moments"); moments != document.end() && moments->is_object()) {
-        const auto moment = [&](const char* key) { return number_of(*moments, key, name + ": moments"); };
-        surface.heights = HeightStatistics<double>{.skewness = read("skewness").value_or(Measurement<double>{}),
-                                                   .kurtosis = read("kurtosis").value_or(Measurement<double>{0, 0}),
-                                                   .rms_gradient = read("rms_gradient").value_or(Measurement<double>{}),
-                                                   .moments = {moment("m0_m2"), moment("m2"), moment("m4_per_m2")}};
-        if (!(surface.heights->moments.m2 > 0 && surface.heights->moments.bandwidth() > 0 &&
-              surface.heights->rms_gradient.value > 0))
-            throw domain_error(name + ": moments: must be greater than 0, and needs surface.rms_gradient");
+        surface.heights =
+            statistics_of(*moments, read("rms_gradient").value_or(Measurement<double>{}), name + ": moments");
+        surface.heights->skewness = read("skewness").value_or(Measurement<double>{});
+        surface.heights->kurtosis = read("kurtosis").value_or(Measurement<double>{0, 0});
         surface.rms_gradient = surface.heights->rms_gradient;
     }
-    if (const auto waves = document.find("all_waves"); waves != document.end() && surface.heights) {
-        const auto number = [&](const char* key) {
-            const double value = number_of(*waves, key, name + ": all_waves");
-            if (!(value >= 0)) throw domain_error(name + ": all_waves." + key + ": must not be negative");
-            return value;
-        };
-        surface.all_waves = HeightStatistics<double>{.rms_gradient = {number("rms_gradient"), number("rms_gradient_error")},
-                                                     .moments = {number("m0_m2"), number("m2"), number("m4_per_m2")}};
-        if (!(surface.all_waves->moments.bandwidth() > 0 && surface.all_waves->rms_gradient.value > 0))
-            throw domain_error(name + ": all_waves: must be greater than 0");
-    }
+    if (const auto waves = document.find("all_waves"); waves != document.end() && surface.heights)
+        surface.all_waves = statistics_of(
+            *waves, measurement_of(waves->value("rms_gradient", Parsed()), name + ": all_waves.rms_gradient"),
+            name + ": all_waves");
     return surface;
 }
 

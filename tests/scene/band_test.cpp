@@ -112,8 +112,9 @@ TEST_CASE("The band of a height with an error holds K one error above and below 
           "peak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\nfractal_dimension = 1.3\n"})
         for (const std::string hardness : {"\"20 GPa\"", "\"1 GPa\"", "\"0.3 GPa\""}) {
             const auto of = [&](const std::string& height, const std::string& errors) {
-                std::string laws = "\"hybrid\", \"persson\", \"plastic\", \"greenwood_williamson\", \"hertz\", "
-                                   "\"plastic_peaks\", \"jackson_green\", \"kogut_etsion\", \"proportional\"";
+                std::string laws =
+                    "\"hybrid\", \"persson\", \"plastic\", \"greenwood_williamson\", \"hertz\", "
+                    "\"plastic_peaks\", \"jackson_green\", \"kogut_etsion\", \"proportional\"";
                 if (surface.find("dimension") != std::string::npos) laws += ", \"fractal\", \"fractal_consistent\"";
                 return test::results_of("[surface]\nrms_height = \"" + height + "\"\n" + surface +
                                         "skewness = 0\nkurtosis = 3\n" + errors +

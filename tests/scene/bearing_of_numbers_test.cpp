@@ -119,7 +119,8 @@ TEST_CASE("K and both ends of faces near the least kurtosis rise with the pressu
             "[surface]\nSq = \"1 um\"\n" + rest + "skewness = " + std::to_string(skewness) +
             "\nkurtosis = " + std::to_string(kurtosis) +
             "\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\nhardness = \"infinite\"\n"
-            "[contact]\npressures = [\"" + std::to_string(pressure) + " Pa\"]\n");
+            "[contact]\npressures = [\"" +
+            std::to_string(pressure) + " Pa\"]\n");
         return results.answer->curve.band.front();
     };
     for (const auto& [skewness, kurtosis] :
@@ -139,9 +140,8 @@ TEST_CASE("K and both ends of faces near the least kurtosis rise with the pressu
 
 TEST_CASE("A kurtosis below the least that was compared counts as that, and none below that of any distribution") {
     const auto of = [](const std::string& kurtosis) {
-        return test::results_of(
-                   "[surface]\nSq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = " + kurtosis +
-                   "\n[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n")
+        return test::results_of("[surface]\nSq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = " + kurtosis +
+                                "\n[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n")
             .answer->curve.band.front();
     };
     CHECK(of("1.1").median == of("1.25").median);

@@ -90,14 +90,13 @@ TEST_CASE("The numbers of a map have the gradient of all its waves, from its doc
     // lambda_s takes a part of the gradient of a map this coarse away
     const auto document = test::measured_files("--units m --dx 1um --dy 1um", {scenes.file});
     CHECK(document["surface"]["rms_gradient"]["value"].get<double>() < 0.9 * gradient);
-    CHECK(std::abs(document["all_waves"]["rms_gradient"].get<double>() / gradient - 1) < 0.01);
+    CHECK(std::abs(document["all_waves"]["rms_gradient"]["value"].get<double>() / gradient - 1) < 0.01);
     // the map in its contact has no plane, and its spectrum is that of the mirrored map
     CHECK(std::abs(*aside.answer->curve.rms_gradient / gradient - 1) < 0.01);
     CHECK(std::abs(*alone.answer->curve.rms_gradient / gradient - 1) < 0.1);
     scenes.folder.write("map.json", document.dump());
-    const auto of_document =
-        test::results_of("[surface]\nfrom = \"map.json\"\nskewness = 0\nkurtosis = 3\n" + contact,
-                         scenes.folder / "scene.toml");
+    const auto of_document = test::results_of("[surface]\nfrom = \"map.json\"\nskewness = 0\nkurtosis = 3\n" + contact,
+                                              scenes.folder / "scene.toml");
     const auto &a = aside.answer->curve, &b = of_document.answer->curve;
     CHECK(std::abs(b.states.front().stiffness.value / a.states.front().stiffness.value - 1) < 1e-12);
     CHECK(joined(of_document).find("give the file of the map") != std::string::npos);

@@ -30,10 +30,12 @@ TEST_CASE("A height or a gradient that is written with an error above half its v
 
 TEST_CASE("The number whose written error makes the band is what to measure next") {
     const auto next = [](const std::string& errors) {
-        const std::string text = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.12\nalpha = 8\nhurst = 0.8\n"
-                                 "skewness = 0\nkurtosis = 3\nerrors = { " + errors +
-                                 " }\n[material.upper]\nname = \"steel\"\nhardness = \"0.5 GPa\"\n"
-                                 "[contact]\npressures = [\"10 MPa\"]\n";
+        const std::string text =
+            "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.12\nalpha = 8\nhurst = 0.8\n"
+            "skewness = 0\nkurtosis = 3\nerrors = { " +
+            errors +
+            " }\n[material.upper]\nname = \"steel\"\nhardness = \"0.5 GPa\"\n"
+            "[contact]\npressures = [\"10 MPa\"]\n";
         return fstiff::actions::measure_next(test::scene_of(text), test::results_of(text));
     };
     CHECK(next("rms_height = \"0.4 um\"").starts_with("measure Rq or Sq: the band at 10 MPa narrows"));

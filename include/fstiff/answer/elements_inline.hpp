@@ -35,8 +35,8 @@ FSTIFF_INLINE bool is_map_itself(const Problem& problem) {
            (!problem.nominal_area || *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area());
 }
 
-/// The area [m^2] on which contacts are counted, and whose waves K has: the nominal one, else a square as long as what was measured; 0: not
-/// known.
+/// The area [m^2] on which contacts are counted, and whose waves K has: the nominal one, else a square as long as what
+/// was measured; 0: not known.
 FSTIFF_INLINE double counted_area(const Problem& problem) {
     return problem.nominal_area ? *problem.nominal_area : std::pow(measured_side(problem), 2);
 }

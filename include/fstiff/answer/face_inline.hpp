@@ -104,8 +104,8 @@ FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Face
     using enum ImplausibleGradient::Source;
     std::vector<ImplausibleGradient> gradients;
     const auto is_own = [&](const auto& waves) { return waves && waves->rms_gradient.value == *face.rms_gradient; };
-    const bool as_measured = face.measured && face.rms_gradient &&
-                             (is_own(face.measured->heights) || is_own(face.measured->all_waves));
+    const bool as_measured =
+        face.measured && face.rms_gradient && (is_own(face.measured->heights) || is_own(face.measured->all_waves));
     if (face.has_own_gradient()) gradients.push_back({as_measured ? measured : given, *face.rms_gradient});
     if (face.has_radius_and_density() && !is_as_measured(face)) {
         const auto [of_density, of_height] = detail::implied_gradients(face.roughness(), r);

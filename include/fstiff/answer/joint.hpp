@@ -38,8 +38,8 @@ struct JointFace {
     std::optional<double> profile_spacing{};            ///< RSm [m], above 0, in place of rms_gradient
     std::optional<double> alpha{};                      ///< Nayak's m0 m4/m2^2, above 1.5
     std::optional<double> hurst{};                      ///< above 0, at most 1
-    /// Of the heights: both or none, from -3 to 3, and from skewness^2 + 1 to 100. Below detail::least_kurtosis(), as of
-    /// two levels, the curve is that of least_kurtosis().
+    /// Of the heights: both or none, from -3 to 3, and from skewness^2 + 1 to 100. Below detail::least_kurtosis(), as
+    /// of two levels, the curve is that of least_kurtosis().
     std::optional<double> skewness{}, kurtosis{};
     /// In place of them, the heights [m] over the material ratio: of_heights() of it, or detail::bearing_of_core().
     std::optional<BearingSlope<double>> bearing{};

@@ -32,8 +32,8 @@ template <Real T = double>
 struct Surface : SurfaceParameters<T> {
     Measurement<T> rms_gradient{};                 ///< [1]; error 0: too few points for one
     std::optional<HeightStatistics<T>> heights{};  ///< none: too few points
-    /// Of a map before the lambda_s of the tables, which K of it does not take; none of a profile, of a lambda_s that was
-    /// given, and after a robust filter.
+    /// Of a map before the lambda_s of the tables, which K of it does not take; none of a profile, of a lambda_s that
+    /// was given, and after a robust filter.
     std::optional<HeightStatistics<T>> all_waves{};
     T shape_share{};  ///< 0 to 1: factor of skewness and of kurtosis - 3 in a hybrid contact (counted_shape)
     CutOffs<T> cut_offs{};
