@@ -148,7 +148,7 @@ inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}
             return {{25, 20, 16, 15, 12, 12, 18}, {25, 20, 18, 15, 14, 20, 28}};
         case LawName::plastic:
             if (known == KnownAs::map) return {{22, 20, 12, 10, 8, 8, 16}, {14, 12, 10, 11, 12, 11, 20}};
-            if (known == KnownAs::trace) return {{50, 50, 50, 50, 45, 35, 30}, {36, 34, 28, 20, 12, 12, 14}};
+            if (known == KnownAs::trace) return {{30, 30, 26, 22, 20, 20, 20}, {36, 34, 28, 20, 12, 12, 14}};
             return {{30, 30, 24, 17, 14, 11, 14}, {32, 31, 20, 12, 10, 9, 12}};
         case LawName::persson: return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
         case LawName::summits: return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
@@ -186,9 +186,10 @@ template <Real T>
         return std::hypot(std::sqrt(1 - of_elastic) * at_pressure(of_flowed, (std::max)(share, least)),
                           std::sqrt(of_elastic) * alone);
     };
-    const T waves = question.known == KnownAs::map ? T(0.8) * question.long_waves : T(0);
-    T low = std::hypot(spread(flowed.low, elastic.low, 0), waves),
-      high = std::hypot(spread(flowed.high, elastic.high, 0), waves);
+    // of a map to both sides; of a trace whose peaks yield to the taller one, to which sigma of few waves is skewed
+    const bool map = question.known == KnownAs::map, trace = question.known == KnownAs::trace && yields;
+    T low = std::hypot(spread(flowed.low, elastic.low, 0), (map ? T(0.8) : T(trace)) * question.long_waves),
+      high = std::hypot(spread(flowed.high, elastic.high, 0), (map ? T(0.8) : T(0)) * question.long_waves);
     if (question.known != KnownAs::map && question.skewness && question.kurtosis) {
         const auto& table = question.known == KnownAs::trace ? shape_errors_of_traces : shape_errors_of_numbers;
         const T m = (std::min)(std::hypot(question.skewness->value, question.kurtosis->value - 3), T(1));
