@@ -213,7 +213,7 @@ TEST_CASE("The mean planes pass each other above half the hardness, and the appr
     CHECK(std::abs(states[3].separation.value / sigma + 1.63) < 0.03);
     for (const auto& state : states) CHECK(state.loading_stiffness.value <= state.stiffness.value);
     CHECK(results.curves[0].missed.size() == 1);
-    CHECK(contains(test::joined(results.warnings), " is above the hardness (100 MPa)"));
+    CHECK(contains(test::joined(results.warnings), "100 MPa reaches the hardness (100 MPa): the contact is closed"));
 }
 
 TEST_CASE("A contact that closes is reported, and has neither rows nor numbers beyond") {
