@@ -100,7 +100,11 @@ bool is_word(std::string_view key, std::string_view word);
 
 template <std::size_t N>
 bool is_one_of_words(std::string_view key, const std::array<std::string_view, N>& words) {
-    return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return is_word(key, word); });
+    if (key.empty()) return false;
+    const bool ascii = static_cast<unsigned char>(key.front()) < 0x80;  // most words differ in their first letter
+    for (const std::string_view word : words)
+        if ((!ascii || key.front() == word.front()) && is_word(key, word)) return true;
+    return false;
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

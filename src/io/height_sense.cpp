@@ -332,8 +332,7 @@ void turn_over(RawMap& map, const WrittenTitle& title, const std::vector<HeaderE
         if (entry.line == title.line || entry.key.size() + entry.value.size() > longest) continue;
         const Words key = words_of(entry.key);
         if (!are_of_heights(key, [](const std::string& word) {
-                return is_one_of(word, inversion_words, turn_words, depth_words, unit_words, content_words) ||
-                       is_unit(word, Dimension::length);
+                return is_one_of(word, inversion_words, turn_words, depth_words, unit_words, content_words);
             }))
             continue;
         const Words value = words_of(entry.value);

@@ -41,7 +41,8 @@ std::string map(const std::vector<double>& z, std::size_t columns) {
 /// The warnings of \p text that name padding or a gauge.
 std::string hints(const std::string& text, const std::string& options = "") {
     std::string found;
-    for (const auto& warning : test::measured(options, text)["warnings"])
+    const auto document = test::measured(options, text);
+    for (const auto& warning : document["warnings"])
         if (const std::string line = warning; test::contains(line, "padding") || test::contains(line, "stops"))
             found += line + "\n";
     return found;
