@@ -103,4 +103,23 @@ TEST_CASE("Plateaus, two levels, steps and heights of coarse steps are surfaces"
     CHECK(hints(map(pits, 64)).empty());
 }
 
+TEST_CASE("A lambda_c that takes most of the mean square height is reported, one that leaves it is not") {
+    const auto is_warned = [](double longest) {
+        const std::string trace =
+            test::profile_text(8192, 0.5e-6, {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = longest});
+        for (const auto& warning : test::measured("", trace)["warnings"])
+            if (test::contains(warning, "most waves are longer than this cut-off")) return true;
+        return false;
+    };
+    CHECK(is_warned(2e-3));
+    CHECK_FALSE(is_warned(40e-6));
+}
+
+TEST_CASE("D and G that were not found are one line among the warnings") {
+    int lines = 0;
+    for (const auto& warning : test::measured("", profile(rough(300)))["warnings"])
+        lines += test::contains(warning, "D and G") ? 1 : 0;
+    CHECK(lines == 1);
+}
+
 }  // namespace equal_heights_test
