@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Every header compiled alone, as CMAKE_VERIFY_INTERFACE_HEADER_SETS does, in a third of the time: without optimisation, and
-# with what it reaches by its includes of <Eigen/Core> and core/error.hpp precompiled. What that cannot see is a header that
-# uses these, or what they include, above the line that brings them; and what a header reaches is found out when CMake is
-# run. The presets without FSTIFF_UNITY leave it to CMake, without anything precompiled.
+# Every public header compiled alone, as CMAKE_VERIFY_INTERFACE_HEADER_SETS does, in a third of the time: by its syntax, without
+# code, and with what it reaches by its includes of <Eigen/Core> and core/error.hpp precompiled. Files *_inline.hpp are parts
+# of headers, and left out. What that cannot see is a header that uses these, or what they include, above the line that brings
+# them; and what a header reaches is found out when CMake is run. The presets without FSTIFF_UNITY leave it to CMake, without
+# anything precompiled.
 get_target_property(sets fstiff INTERFACE_HEADER_SETS_TO_VERIFY)
 set(headers "")
 foreach(set IN LISTS sets)
@@ -35,20 +36,50 @@ function(fstiff_reaching result regex)
     set(${result} ${reaching} PARENT_SCOPE)
 endfunction()
 
-# fstiff_compile_alone(target headers precompiled...)
-function(fstiff_compile_alone target headers)
-    set(sources "")
+separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
+get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
+list(TRANSFORM eigen PREPEND -isystem)
+set(alone ${CMAKE_CXX_COMPILER} ${flags} -std=c++20 -I${PROJECT_SOURCE_DIR}/include ${eigen})
+set(headers_alone "")
+
+# fstiff_compile_alone(group headers precompiled...)
+function(fstiff_compile_alone group headers)
+    set(folder headers_alone)  # of the build folder
+    set(precompiled "")
+    set(with "")
+    if(ARGN)
+        list(TRANSFORM ARGN PREPEND "#include ")
+        list(JOIN ARGN "\n" includes)
+        set(file ${folder}/${group}.hpp)
+        set(precompiled ${PROJECT_BINARY_DIR}/${file}.gch)
+        file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${file} CONTENT "${includes}\n" @ONLY)
+        add_custom_command(
+            OUTPUT ${precompiled}
+            COMMAND ${alone} -MD -MF ${file}.d -MT ${file}.gch -x c++-header ${file} -o ${file}.gch
+            DEPENDS ${PROJECT_BINARY_DIR}/${file} DEPFILE ${file}.d
+            WORKING_DIRECTORY ${PROJECT_BINARY_DIR} COMMENT "Precompiling ${file}" VERBATIM)
+        set(with -include ${file})
+        if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+            set(with -include-pch ${file}.gch)
+        endif()
+    endif()
     foreach(header IN LISTS headers)
-        set(source ${PROJECT_BINARY_DIR}/headers_alone/${header}.cpp)
-        file(CONFIGURE OUTPUT ${source} CONTENT
+        if(header MATCHES "_inline\\.hpp$")
+            continue()
+        endif()
+        set(source ${folder}/${header}.cpp)
+        set(stamp ${folder}/${header}.checked)
+        file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${source} CONTENT
              "#include <${header}>\n#include <${header}>\nstatic_assert(FSTIFF_VERSION > 0);\n")  # the second brings nothing
-        list(APPEND sources ${source})
+        add_custom_command(
+            OUTPUT ${PROJECT_BINARY_DIR}/${stamp}
+            COMMAND ${alone} ${with} -fsyntax-only -MD -MF ${stamp}.d -MT ${stamp} ${source}
+            COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+            DEPENDS ${PROJECT_BINARY_DIR}/${source} ${precompiled} DEPFILE ${stamp}.d
+            WORKING_DIRECTORY ${PROJECT_BINARY_DIR} COMMENT "Compiling ${header} alone" VERBATIM)
+        list(APPEND headers_alone ${PROJECT_BINARY_DIR}/${stamp})
     endforeach()
-    add_library(${target} OBJECT ${sources})
-    target_link_libraries(${target} PRIVATE fstiff::fstiff)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O0>
-                                             $<$<CXX_COMPILER_ID:GNU>:-fno-implicit-templates>)  # nothing links them
+    set(headers_alone ${headers_alone} PARENT_SCOPE)
 endfunction()
 
 fstiff_reaching(with_eigen "Eigen/|unsupported/Eigen/")
@@ -58,6 +89,7 @@ list(REMOVE_ITEM neither ${with_error})
 set(without_eigen ${with_error})
 list(REMOVE_ITEM without_eigen ${with_eigen})
 list(REMOVE_ITEM with_error ${without_eigen})
-fstiff_compile_alone(fstiff_headers_alone "${neither}")
-fstiff_compile_alone(fstiff_headers_alone_errors "${without_eigen}" <fstiff/core/error.hpp>)
-fstiff_compile_alone(fstiff_headers_alone_eigen "${with_error}" <Eigen/Core> <fstiff/core/error.hpp>)
+fstiff_compile_alone(neither "${neither}")
+fstiff_compile_alone(errors "${without_eigen}" <fstiff/core/error.hpp>)
+fstiff_compile_alone(eigen "${with_error}" <Eigen/Core> <fstiff/core/error.hpp>)
+add_custom_target(fstiff_headers_alone ALL DEPENDS ${headers_alone})

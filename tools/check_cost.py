@@ -11,7 +11,6 @@
             the same two commands in CPU seconds, with their tests, in a fresh clone. On demand, because CPU seconds scatter by a
             tenth with the load of the machine (docs/development.md)"""
 import argparse
-import json
 import os
 import pathlib
 import re
@@ -60,9 +59,8 @@ def of_program(options):
 
 
 def of_code(options):
-    commands = json.loads(subprocess.run(["ninja", "-C", options.build, "-t", "compdb"], capture_output=True, check=True).stdout)
-    objects = [one for one in {command["output"] for command in commands if command["output"].endswith(".o")}
-               if (options.build / one).exists()]
+    commands = subprocess.run(["ninja", "-C", options.build, "-t", "commands", "all"], capture_output=True, check=True, text=True).stdout
+    objects = [one for one in set(re.findall(r" -o (\S+\.o) ", commands)) if (options.build / one).exists()]
     groups = {"the command": [one for one in objects if any(f"/{name}.dir/" in one for name in COMMAND)], "everything": objects}
     for (what, parts), units, megabytes in zip(groups.items(), options.units, options.megabytes, strict=True):
         size = subprocess.run(["size", "--totals", *parts], cwd=options.build, capture_output=True, text=True, check=True).stdout

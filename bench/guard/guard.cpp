@@ -10,6 +10,8 @@
 // further from the truth than their error estimate, and the heap allocations of all calls (neither may rise).
 #include "support/allocations.hpp"
 
+#include <fstiff/double/contacts.hpp>
+
 #include "../methods.hpp"
 
 #include <cstdio>
