@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 EIGEN_ALONE = """#include <Eigen/Core>
 double f(const double* p) { Eigen::Map<const Eigen::ArrayXd> a(p, 100); return (a * a + 1.0).sum(); }
 """
-COMMAND = ("fstiff_io", "fstiff_instances", "fstiff_scene", "fstiff_answer", "fstiff_sweep", "fstiff_cli")
+COMMAND = ("fstiff_io", "fstiff_instances", "fstiff_scene", "fstiff_sweep", "fstiff_cli")
 # Of the command and of everything, by g++ 12; tests/CMakeLists.txt allows other versions a tenth more.
 CODE_UNITS, CODE_MB = (10, 295), (4.75, 31.0)
 
