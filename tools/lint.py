@@ -509,6 +509,8 @@ class Snippets:
         self.compiler += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
         self.compiler += [f"-D{one}" for one in options.definitions.split(",")] if options.double else []
         self.libraries = [options.double] * bool(options.double)
+        # Declares what the library has compiled; after the program, which must include by itself what it uses.
+        self.after = "#include <fstiff/double/contacts.hpp>\n" * bool(options.double)
 
     def run(self, command, shown, fails=False):
         """What the command prints, errors among it; None where it ends as it should not."""
@@ -533,7 +535,7 @@ class Snippets:
         if not self.compiler[0]:
             return None
         source, program = self.work / f"{name}.cpp", self.work / name
-        source.write_text(body + "\n", encoding="utf-8")
+        source.write_text(f"{body}\n{self.after}", encoding="utf-8")
         if "main(" not in body:
             self.run([*self.compiler, "-fsyntax-only", source], name)
         elif self.run([*self.compiler, source, *self.libraries, "-o", program], name) is not None:
