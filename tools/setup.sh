@@ -53,6 +53,12 @@ apt_install() {
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$@" $missing
 }
 
+# nanobind FOLDER: puts it into the venv of that build folder, where CMake finds it and then builds the Python module.
+nanobind() {
+    python3 "$root/tests/python/run.py" nanobind --work "$root/build/$1/tests/python" >&2 ||
+        echo "Going on without nanobind: the tests of the Python module are skipped." >&2
+}
+
 # workflow NAME: configures, builds and (where the workflow has tests) tests with the preset NAME.
 workflow() {
     CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
