@@ -26,7 +26,7 @@ double f(const double* p) { Eigen::Map<const Eigen::ArrayXd> a(p, 100); return (
 """
 COMMAND = ("fstiff_io", "fstiff_instances", "fstiff_scene", "fstiff_sweep", "fstiff_cli")
 # Of the command and of everything, by g++ 12; tests/CMakeLists.txt allows other versions a tenth more.
-CODE_UNITS, CODE_MB = (10, 295), (4.75, 31.0)
+CODE_UNITS, CODE_MB = (9, 77), (4.75, 31.0)
 
 
 def cpu_seconds(command, cwd=None):
