@@ -234,8 +234,6 @@ void add_surfaces(nb::module_& m) {
         [](const nb::handle& value, const std::string& name) {
             request::Amount length;
             request::put(value_of(value), length, name, {});
-            if (name == "mean_height")
-                if (const auto of_grade = request::mean_height_of_grade(length.text())) return *of_grade;
             return surface::parse_length(length, name);
         },
         nb::arg("value"), nb::arg("name"));
@@ -243,6 +241,8 @@ void add_surfaces(nb::module_& m) {
         "parse_quantity",
         [](const std::string& text, const std::string& unit, const std::string& name) {
             if (unit == "rad") return io::parse_angle(text, name);
+            if (name.ends_with("mean_height"))
+                if (const auto of_grade = request::mean_height_of_grade(text)) return *of_grade;
             for (const auto& [dimension, _] : names<io::Dimension>)
                 if (request::si_unit(dimension) == unit) return io::parse_quantity(text, dimension, name);
             throw std::logic_error("no kind of quantity has the unit " + unit);

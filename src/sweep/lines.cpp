@@ -59,7 +59,7 @@ private:
     /// computed, its scene alone has no result.
     void compute(std::span<const std::size_t> scenes) {
         if (scenes.size() == 1) return compute_one(scenes.front());
-        if (compute_together(scenes)) return;
+        if (scenes.size() <= detail::many_points && compute_together(scenes)) return;  // more are interpolated
         compute(scenes.first(scenes.size() / 2));
         compute(scenes.subspan(scenes.size() / 2));
     }

@@ -655,7 +655,7 @@ static void test_answer(void) {
 
     REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_answer(NULL, pressures, 2, &to, NULL));
     REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_answer(&joint, NULL, 2, &to, NULL));
-    REFUSES(FSTIFF_REFUSED, "pressures: must have at least one", fstiff_answer(&joint, pressures, 0, &to, NULL));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures: must have at least one", fstiff_answer(&joint, pressures, 0, &to, NULL));
     REFUSES(FSTIFF_REFUSED, "pressure = -1", fstiff_answer(&joint, (const double[]){1e6, -1}, 2, &to, NULL));
     joint.face = NULL;
     REFUSES(FSTIFF_BAD_ARGUMENT, "face", fstiff_answer(&joint, pressures, 2, &to, NULL));
@@ -668,7 +668,7 @@ static void test_answer(void) {
     REFUSES(FSTIFF_REFUSED, "mean_height = nan", fstiff_answer(&joint, pressures, 2, &to, NULL));
     face.mean_height = 0.8e-6, joint.other = NULL, joint.upper.hardness = 50e6;
     CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OUT_OF_REACH && doubtful == 1);
-    CHECK(strncmp(fstiff_last_message(), "at the hardness", 15) == 0);
+    CHECK(strstr(fstiff_last_message(), "is above the hardness") != NULL);
     CHECK(status[0] == FSTIFF_OK && status[1] == FSTIFF_OUT_OF_REACH && K[0] > 0 && K[1] == 0 && law[1] == -1);
 }
 

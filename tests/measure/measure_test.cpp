@@ -86,7 +86,9 @@ TEST_CASE("A measured map has the parameters of its steps taken by hand") {
         CHECK(surface.cut_offs.lambda_s == 2.5e-6);
         CHECK_FALSE(surface.cut_offs.lambda_c);
         CHECK(relative_error(surface.size, 48e-6 * 48e-6) < 1e-14);
-        CHECK(relative_error(surface.widest_band, 48 / 2.5) < 1e-14);
+        CHECK(relative_error(surface.widest_band, 48 / 1.0) < 1e-14);  // to two steps: K takes all waves of a map
+        REQUIRE(surface.all_waves);
+        CHECK(surface.all_waves->rms_gradient.value == height_statistics(*flat.unfiltered).rms_gradient.value);
         CHECK(surface.rms_gradient.value == height_statistics(flat.map).rms_gradient.value);
         CHECK((surface.map->unfiltered->heights == flat.unfiltered->heights).all());  // which K is of
         CHECK_FALSE(surface.profile);

@@ -15,7 +15,7 @@ SCENE = {
 LAW = fstiff.Contact("hybrid", rms_height=0.8e-6, rms_gradient=0.1, effective_modulus=112.6e9).tabulate(1e5, 1e8, "extrapolate")
 HALF = "\udcff"  # half a surrogate pair
 GREAT = 10**400
-MISSING = "rms_height: is missing"
+MISSING = "height: is missing"
 
 
 def contact(**changes):

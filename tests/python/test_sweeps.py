@@ -119,7 +119,7 @@ def test_a_measured_surface_takes_the_place_of_the_section(trace):
 @pytest.mark.parametrize(
     "axes, options, sentence",
     [
-        ({"surface.rms_hight": [1e-6]}, {}, "scene: surface.rms_hight: unknown key; valid keys of surface are"),
+        ({"surface.rms_hight": [1e-6]}, {}, "scene: surface.rms_hight: unknown key (did you mean rms_height?); valid keys of surface are"),
         ({"surface.rms_height": [-1e-6]}, {}, "scene: surface.rms_height = -1e-06: must be finite and greater than 0"),
         ({"surface.rms_height": ["1 MPa"]}, {}, 'scene: surface.rms_height = "1 MPa'),
         ({"surface.rms_height": 1e-6}, {}, "surface.rms_height.values = 1e-06: must be a list of at least one value"),

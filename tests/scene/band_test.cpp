@@ -120,7 +120,7 @@ TEST_CASE("The band of a height with an error holds K one error above and below 
                                         "skewness = 0\nkurtosis = 3\n" + errors +
                                         "[material.upper]\nname = \"steel\"\nhardness = " + hardness +
                                         "\nyield_strength = \"0.35 GPa\"\n[contact]\npressures = [\"10 MPa\"]\n"
-                                        "theta = [\"45 deg\"]\nlaws = [" +
+                                        "laws = [" +
                                         laws + "]\n");
             };
             const auto whole = of("0.8 um", "errors = { rms_height = \"0.4 um\" }\n"), less = of("0.4 um", ""),

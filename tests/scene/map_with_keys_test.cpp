@@ -29,7 +29,7 @@ std::string text_of(const HeightMap<double>& map) {
     return text.str();
 }
 
-const std::string contact = "[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n";
+const std::string contact = "[material]\nupper = \"steel\"\n[contact]\npressures = [\"200 MPa\"]\n";
 
 /// The folder of the map, and results of it with further keys of [surface].
 struct Scenes {
@@ -107,11 +107,11 @@ TEST_CASE("A measured map keeps its K in C++ next to numbers that it does not ta
     const auto measured = std::make_shared<const Surface<double>>(measure(map()));
     const Body steel = body_of(*find_material("C45"));
     Joint joint{.face = {.measured = measured}, .upper = steel, .lower = steel};
-    const double K = answer(joint, std::array{1e7}).points[0].stiffness.value;
+    const double K = answer(joint, std::array{2e8}).points[0].stiffness.value;
     joint.face.hurst = 0.5, joint.face.alpha = 30;
-    CHECK(answer(joint, std::array{1e7}).points[0].stiffness.value == K);
+    CHECK(answer(joint, std::array{2e8}).points[0].stiffness.value == K);
     joint.face.rms_height = 0.3e-6;
-    CHECK(answer(joint, std::array{1e7}).points[0].stiffness.value != K);
+    CHECK(answer(joint, std::array{2e8}).points[0].stiffness.value != K);
 }
 
 }  // namespace map_with_keys_test

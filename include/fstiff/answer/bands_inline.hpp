@@ -258,8 +258,8 @@ FSTIFF_INLINE std::size_t add_every_band(const Problem& problem, Request request
         of_neighbours.push_back(stiffnesses(with_face(lean, face), request));
         if (of_neighbours.back().size() != quick.size()) of_neighbours.pop_back();  // no map, or no D: other curves
     }
-    if (const Face& face = problem.face; face.parameters.long_end.form_share > 0 && !(face.map && face.spectrum_of_map))
-        of_neighbours.push_back(stiffnesses(with_face(lean, with_form(face)), request));
+    if (is_of_traces(problem) && problem.face.parameters.long_end.form_share > 0.01)
+        of_neighbours.push_back(stiffnesses(with_face(lean, with_form(problem.face)), request));
     const auto of_windows = behind_other_windows(lean, request);
     const bool lay = has_lay(problem);
     std::size_t failed = 0, next = 0;

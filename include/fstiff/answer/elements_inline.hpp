@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -35,8 +36,8 @@ FSTIFF_INLINE bool is_map_itself(const Problem& problem) {
            (!problem.nominal_area || *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area());
 }
 
-/// The area [m^2] on which contacts are counted, and whose waves K has: the nominal one, else a square as long as what
-/// was measured; 0: not known.
+/// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not
+/// known.
 FSTIFF_INLINE double counted_area(const Problem& problem) {
     return problem.nominal_area ? *problem.nominal_area : std::pow(measured_side(problem), 2);
 }
@@ -171,7 +172,8 @@ FSTIFF_INLINE std::vector<LightEnd> light_ends(const Problem& problem, const Law
         double greatest = -std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (!points[i].ok()) continue;
-            const AnswerReason reason{.p_star = pressures[i] / closing};
+            AnswerReason reason;
+            reason.p_star = pressures[i] / closing;
             const double high = law_error(problem, curve.law->which, reason).high;
             greatest = (std::max)(greatest, std::log(points[i].state.stiffness.value) + high);
             ends.push_back({pressures[i], greatest});
@@ -201,7 +203,10 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
     facts.flows = flows(problem, *curve.law);
     facts.of_map_itself = is_map_itself(problem);
     const double area = counted_area(problem);
-    const UnmeasuredWaves<double> longer = problem.face.unmeasured(std::sqrt(area));
+    const double length = std::numbers::sqrt2 * problem.face.parameters.long_end.side;  // of a trace
+    const UnmeasuredWaves<double> longer = problem.face.unmeasured(problem.nominal_area    ? std::sqrt(area)
+                                                                   : is_of_traces(problem) ? length
+                                                                                           : 0);
     facts.waves_at_least = longer.at_least && problem.nominal_area.has_value();
     const std::vector<Solved> of_place = boundary_elements_of(problem, request, facts.flows, curve, progress);
     for (const auto& state : curve.states) {

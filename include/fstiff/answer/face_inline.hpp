@@ -216,7 +216,8 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& surface,
     face.lambda_s = surface.cut_offs.lambda_s;
     face.heights = surface.heights;
     if (surface.heights) {
-        const HeightStatistics<double>& waves = surface.all_waves ? *surface.all_waves : *surface.heights;
+        const bool all = surface.all_waves && surface.all_waves->moments.bandwidth() > 1.5;  // else of no spectrum
+        const HeightStatistics<double>& waves = all ? *surface.all_waves : *surface.heights;
         face.rms_gradient = waves.rms_gradient.value;
         face.gradient_error = waves.rms_gradient.error;
         face.alpha = waves.moments.bandwidth();

@@ -258,6 +258,8 @@ void take_bodies(const Body& upper, const Body& lower, const std::optional<doubl
 /// The faces that were pressed together, and those of them that were measured.
 [[nodiscard]] std::vector<const Face*> rough_faces(const Problem& problem);
 [[nodiscard]] std::vector<const Face*> measured_faces(const Problem& problem);
+/// Whether all that was measured of \p problem are traces.
+[[nodiscard]] bool is_of_traces(const Problem& problem);
 /// Whether some face was measured by a profile that repeats itself.
 [[nodiscard]] bool has_lay(const Problem& problem);
 

@@ -36,6 +36,12 @@ FSTIFF_INLINE std::vector<const Face*> measured_faces(const Problem& problem) {
     return faces;
 }
 
+FSTIFF_INLINE bool is_of_traces(const Problem& problem) {
+    const std::vector<const Face*> faces = measured_faces(problem);
+    return !faces.empty() &&
+           std::all_of(faces.begin(), faces.end(), [](const Face* face) { return face->measured->is_profile; });
+}
+
 FSTIFF_INLINE bool has_lay(const Problem& problem) {
     const std::vector<const Face*> measured = measured_faces(problem);
     return std::any_of(measured.begin(), measured.end(),

@@ -197,13 +197,13 @@ inline constexpr auto material_hints = std::to_array<MaterialHint>({
 
 /// Whether \p name begins with \p begin, whose # is one digit or more.
 [[nodiscard]] constexpr bool begins_with_hint(std::string_view name, std::string_view begin) {
-    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
     for (; !begin.empty(); begin.remove_prefix(1)) {
         while (!name.empty() && (name[0] == ' ' || name[0] == '-' || name[0] == '_')) name.remove_prefix(1);
         if (begin[0] == '_') continue;
         if (begin[0] == '$') return name.empty();
-        if (name.empty() || (begin[0] == '#' ? !is_digit(name[0]) : small(begin[0]) != small(name[0]))) return false;
+        if (name.empty() || (begin[0] == '#' ? !is_digit(name[0]) : lower(begin[0]) != lower(name[0]))) return false;
         name.remove_prefix(1);
         while (begin[0] == '#' && !name.empty() && is_digit(name[0])) name.remove_prefix(1);
     }
