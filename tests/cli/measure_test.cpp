@@ -214,4 +214,41 @@ TEST_CASE("A round part is measured by its circle, whose radius is printed, with
                         ring);
 }
 
+namespace {
+
+/// The warnings that fstiff measure prints of the profile \p z [um] with steps of 0.5 um.
+std::string warnings_of(const std::vector<double>& z) {
+    const test::Folder folder;
+    std::string text = "x [um];z [um]\n";
+    char line[64];
+    for (std::size_t i = 0; i < z.size(); ++i) {
+        std::snprintf(line, sizeof line, "%.1f;%.4f\n", 0.5 * static_cast<double>(i), z[i]);
+        text += line;
+    }
+    return test::run_fstiff("measure '" + folder.write("trace.csv", text) + "' --format json").err;
+}
+
+}  // namespace
+
+TEST_CASE("A lambda_c that takes most of the mean square height is reported, one that leaves it is not") {
+    const auto is_warned = [](double memory) {  // the nearer to 1, the longer the waves
+        std::mt19937 engine(3);
+        std::normal_distribution<double> normal(0, 0.02);
+        std::vector<double> z(2048);
+        double last = 0;
+        for (double& height : z) height = last = memory * last + normal(engine);
+        return test::contains(warnings_of(z), "that of Ra, removes");
+    };
+    CHECK(is_warned(0.9995));
+    CHECK_FALSE(is_warned(0.9));
+}
+
+TEST_CASE("D and G that were not found are one line among the warnings") {
+    std::vector<double> sine(300);
+    for (std::size_t i = 0; i < sine.size(); ++i) sine[i] = std::sin(0.1 * static_cast<double>(i));
+    const std::string warnings = warnings_of(sine);
+    CHECK(test::contains(warnings, "D and G not found (only fractal laws need them)"));
+    CHECK_FALSE(test::contains(warnings, "half decade of lags"));
+}
+
 }  // namespace measure_test

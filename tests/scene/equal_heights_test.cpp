@@ -103,28 +103,4 @@ TEST_CASE("Plateaus, two levels, steps and heights of coarse steps are surfaces"
     CHECK(hints(map(pits, 64)).empty());
 }
 
-TEST_CASE("A lambda_c that takes most of the mean square height is reported, one that leaves it is not") {
-    const auto is_warned = [](double memory) {  // the nearer to 1, the longer the waves
-        std::mt19937 engine(3);
-        std::normal_distribution<double> normal(0, 0.02);
-        std::vector<double> z(2048);
-        double last = 0;
-        for (double& height : z) height = last = memory * last + normal(engine);
-        for (const auto& warning : test::measured("", profile(z))["warnings"])
-            if (test::contains(warning, "most waves are longer than this cut-off")) return true;
-        return false;
-    };
-    CHECK(is_warned(0.9995));
-    CHECK_FALSE(is_warned(0.9));
-}
-
-TEST_CASE("D and G that were not found are one line among the warnings") {
-    std::vector<double> sine(300);
-    for (std::size_t i = 0; i < sine.size(); ++i) sine[i] = std::sin(0.1 * static_cast<double>(i));
-    int lines = 0;
-    for (const auto& warning : test::measured("", profile(sine))["warnings"])
-        lines += test::contains(warning, "D and G") ? 1 : 0;
-    CHECK(lines == 1);
-}
-
 }  // namespace equal_heights_test

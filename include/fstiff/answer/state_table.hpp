@@ -25,8 +25,8 @@ namespace fstiff::inline v0_1::detail {
 
 /// Weights of the polynomial through values at the places \p first to \p last, at the place \p t.
 template <int first, int last>
-[[nodiscard]] std::array<double, last - first + 1> lagrange_weights(double t) {
-    std::array<double, last - first + 1> weights{};
+[[nodiscard]] std::array<double, std::size_t{last - first + 1}> lagrange_weights(double t) {
+    std::array<double, std::size_t{last - first + 1}> weights{};
     for (int k = first; k <= last; ++k) {
         double& weight = weights[static_cast<std::size_t>(k - first)] = 1;
         for (int j = first; j <= last; ++j)
