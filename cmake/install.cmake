@@ -18,7 +18,8 @@ write_basic_package_version_file(
     ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(
     FILES ${PROJECT_BINARY_DIR}/fstiff-config.cmake ${PROJECT_BINARY_DIR}/fstiff-config-version.cmake
-          ${CMAKE_CURRENT_LIST_DIR}/fstiff-eigen.cmake
+          ${CMAKE_CURRENT_LIST_DIR}/fstiff-eigen.cmake ${CMAKE_CURRENT_LIST_DIR}/fstiff-implementation.cmake
+          ${CMAKE_CURRENT_LIST_DIR}/fstiff-implementation.cpp
     DESTINATION ${fstiff_package_dir}
     COMPONENT dev)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/fstiff COMPONENT dev)

@@ -5,7 +5,8 @@ With --io fstiff_io.cpp, the readers and writers of files too: one source to com
 
 HEADER is a name as in an include, fstiff/contact/rough_contact.hpp; without one, fstiff/fstiff.hpp and fstiff/io.hpp. The includes
 are followed depth first, each header is written once, at the place of its first include, and so is each header of Eigen and of
-the standard library. One licence line is on top. Eigen and C++20 are needed as by the headers apart. The one source reads
+the standard library. The functions of fstiff/answer.hpp, fstiff/implementation.hpp, are under FSTIFF_IMPLEMENTATION, which one
+file of a program defines before its include. One licence line is on top. Eigen and C++20 are needed as by the headers apart. The one source reads
 neither X3P nor compressed files of Digital Surf, which need other libraries.
 """
 import argparse
@@ -59,6 +60,8 @@ class Amalgamation:
                 if not other:
                     raise ValueError(f"{name}: '{line}': an include must stand in angle brackets")
                 included = other[1] or other[2]
+                if depth and included.startswith("fstiff/double/"):
+                    continue  # of the library fstiff::double, which one header does without
                 if depth and not included.endswith("pugixml.hpp"):
                     raise ValueError(f"{name}: '{line}': stands under a condition, and would be left out elsewhere")
                 if included.startswith("fstiff/") or other[2]:
@@ -94,6 +97,12 @@ def main():
     try:
         for name in options.headers:
             taken.add(name)
+        if "fstiff/answer/answer.hpp" in taken.seen:
+            seen = set(taken.seen)
+            taken.lines.append("#ifdef FSTIFF_IMPLEMENTATION")
+            taken.add("fstiff/implementation.hpp")
+            taken.lines.append("#endif  // FSTIFF_IMPLEMENTATION")
+            taken.seen = seen
         title = f"{' and '.join(options.headers)} with all that they include, {taken.headers} headers in one file."
         files = {options.output: licence + "#pragma once\n" + written(title, taken.lines)}
         if options.io:

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// One stiffness with its band for a joint: answer/answer.hpp with its functions, which are inline unless
-/// fstiff::double is linked. Without it a file that includes this takes a minute to compile.
+/// One stiffness with its band for a joint: declarations, which cost a file no more than Eigen does. The functions come
+/// from fstiff::double, from one file of the program that includes fstiff/implementation.hpp, or with
+/// fstiff/answer_inline.hpp into the file itself (docs/linking-cpp.md).
 
 #include <fstiff/answer/answer.hpp>
-
-#ifdef FSTIFF_COMPILED
-#include <fstiff/double/alignment.hpp>
-#else
-#include <fstiff/answer/answer_inline.hpp>
-#endif

@@ -48,6 +48,7 @@
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
+#include <fstiff/topography/edges.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -88,6 +89,7 @@
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/load_means.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
@@ -111,6 +113,7 @@
 #include <fstiff/measure/height_sums.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/measure.hpp>
+#include <fstiff/measure/measurement.hpp>
 #include <fstiff/measure/options.hpp>
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/measure/plain_form.hpp>
@@ -123,6 +126,13 @@
 #include <fstiff/identify/differences.hpp>
 #include <fstiff/identify/fit_problem.hpp>
 #include <fstiff/identify/identify.hpp>
+#include <fstiff/answer/answer.hpp>
+#include <fstiff/answer/any_contact.hpp>
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/chosen_law.hpp>
+#include <fstiff/answer/concern.hpp>
 #include <fstiff/answer/joint.hpp>
+#include <fstiff/answer/law_choice.hpp>
+#include <fstiff/answer/law_errors.hpp>
+#include <fstiff/answer/law_names.hpp>

@@ -77,7 +77,7 @@ struct FaceInput {
         if (!process.empty()) face.process = detail::process_of(process, "process");
         if (!measured.empty()) {
             const auto& one = measured[measured.size() == 1 ? 0 : i];
-            face.measured = {one, &one->found};
+            face.measured = measured_face(std::shared_ptr<const Surface<double>>(one, &one->found));
         }
         return face;
     }

@@ -153,7 +153,7 @@ Joint joint_of(const std::map<std::string, double>& numbers, const std::string& 
                 .effective_modulus = number("effective_modulus"),
                 .interaction = {parse<InteractionReading>(interaction, "interaction"),
                                 number("interaction_length").value_or(0)}};
-    if (measured) joint.face.measured = std::make_shared<const fstiff::Surface<double>>(measured->found);
+    if (measured) joint.face.measured = fstiff::measured_face(measured->found);
     return joint;
 }
 

@@ -72,26 +72,13 @@ Problem lean_problem(const Problem& problem, const Fit& fit) {
     return lean;
 }
 
-/// \p map with heights that are \p factor times as high.
-std::shared_ptr<const detail::MapOfSurface> made_taller(detail::MapOfSurface map, double factor) {
-    map.taller *= factor;
-    for (Summits<double>& trace : map.summits) {
-        trace.rms_height *= factor;
-        for (Summit<double>& summit : trace.summits) {
-            summit.height *= factor, summit.max_curvature *= factor, summit.min_curvature *= factor;
-            summit.load_factor /= std::sqrt(factor), summit.area_factor /= factor;  // R^(1/2) and R
-        }
-    }
-    return std::make_shared<const detail::MapOfSurface>(std::move(map));
-}
-
 /// \p face with those of \p x that are \p wanted.
 Face with_parameters(Face face, const ContactParameters<double>& x, const std::vector<Parameter>& wanted) {
     const double taller = x.rms_height / face.parameters.rms_height.value;
     for (const Parameter each : wanted)
         if (auto* known = face.parameters.find(each)) known->value = x[each];
     if (face.map && has(wanted, Parameter::rms_height)) {  // all its heights
-        face.map = made_taller(*face.map, taller);
+        face.map = face.map->scaled(taller);
         if (face.rms_gradient && face.spectrum_of_map) *face.rms_gradient *= taller;
     }
     if (of_spectrum(wanted)) {
@@ -153,7 +140,7 @@ std::vector<double> at_many(std::span<const double> pressures, const Stiffness& 
 Identification<double> found_by(const Problem& problem, const Fit& fit, const detail::FitInputs& inputs) {
     const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness) &&
                        inputs.data.size() <= detail::many_points;
-    if (fit.law->fit && exact) return fit.law->fit(inputs);
+    if (exact && detail::has_exact_fit(fit.law->which)) return fit_exactly(fit.law->which, inputs);
     return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
                                                                     std::span<const double> pressures) {
         const auto at = [&](std::span<const double> some) {
@@ -316,7 +303,7 @@ std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Pa
     const std::optional<double> g = gradient(fitted);
     if (!(g ? rises_by_flow(problem, fit, hardness, *g) : psi > detail::max_elastic_plasticity_index<double>))
         return "";
-    const bool has_plastic = lack_of(detail::find_law(LawName::plastic), problem) == detail::Lack::nothing;
+    const bool has_plastic = lack_of(laws::plastic.row(), problem) == detail::Lack::nothing;
     return "the peaks of the fitted surface yield (" +
            (g ? "H/(E g) = " + rounded(hardness / (x.effective_modulus * *g), 2) : "") +
            (psi > 0 ? (g ? "; " : "") + ("plasticity index " + rounded(psi, 3)) : "") +

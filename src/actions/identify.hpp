@@ -7,6 +7,7 @@
 #include "scene/scene.hpp"
 #include "surface/surface_option_table.hpp"
 
+#include <fstiff/answer/law_fits.hpp>
 #include <fstiff/identify/concerns.hpp>
 #include <fstiff/identify/identify.hpp>
 

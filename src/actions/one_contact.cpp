@@ -99,9 +99,10 @@ OneContact make_contact(const std::string& law, Joint joint, const ProgressHook&
         face.skewness = 0, face.kurtosis = 3;
     auto problem = std::make_shared<detail::Problem>(problem_of_one(joint));
     if (named->has_peaks && problem->default_peaks && (has_radius || !joint.face.rms_gradient))
-        throw domain_error(name + "r and theta" +
-                           (joint.face.measured ? " of the surface: " + joint.face.measured->why_no_peaks : ""));
-    (void)detail::possible_law(named->which, *problem);
+        throw domain_error(
+            name + "r and theta" +
+            (joint.face.measured ? " of the surface: " + joint.face.measured->surface().why_no_peaks : ""));
+    require_possible(*named, *problem);
     if (problem->hardness_range && detail::feels_hardness(*problem, {named}))
         throw domain_error(name + "hardness or yield_strength");
     return only_contact(std::move(problem), *named, 0, progress);

@@ -19,7 +19,7 @@ std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, cons
                                    const ScalesOptions& load) {
     try {
         detail::Problem problem;
-        problem.face = detail::face_of(std::make_shared<const Surface<double>>(surface.found));
+        problem.face = measured_face(surface.found)->face();
         const Material<double> body{2 * load.modulus, 0.0};  // of which both are
         problem.effective_modulus = effective_modulus(body, body);
         if (problem.face.has_peaks())
@@ -40,10 +40,9 @@ std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, cons
 }
 
 const detail::Law& law_for(const surface::MeasuredSurface& surface) {
-    const detail::Face face = detail::face_of(std::make_shared<const Surface<double>>(surface.found));
-    if (lack_of_spectrum(face) == detail::Lack::nothing && (face.has_peaks() || face.map))
-        return *detail::find_law("hybrid");
-    return *detail::find_law(face.has_peaks() ? "hertz" : "greenwood_williamson");
+    const detail::Face face = measured_face(surface.found)->face();
+    if (lack_of_spectrum(face) == detail::Lack::nothing && (face.has_peaks() || face.map)) return laws::hybrid.row();
+    return (face.has_peaks() ? laws::hertz : laws::greenwood_williamson).row();
 }
 
 request::Amount option_of(const std::optional<double>& cut_off) {

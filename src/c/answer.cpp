@@ -38,7 +38,7 @@ JointFace face_of(const fstiff_face* given, const char* name) {
     surface::MeasureOptions options = options_of(from.options);
     options.neighbours = true;
     const auto input = input_of(options.input, taken(from.heights, "heights"));
-    face.measured = std::make_shared<const Surface<double>>(measure_surface(options, input).found);
+    face.measured = measured_face(measure_surface(options, input).found);
     return face;
 }
 

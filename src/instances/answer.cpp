@@ -2,4 +2,6 @@
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
 
-#include <fstiff/answer/answer_inline.hpp>
+#include <fstiff/implementation.hpp>
+
+#include <fstiff/answer/law_fits_inline.hpp>

@@ -248,7 +248,8 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     }
     std::vector<const detail::Law*> chosen;
     const auto names = detail::law_names();
-    for (const auto i : source.choices(*node, contact.key("laws"), names)) chosen.push_back(&detail::laws()[i]);
+    for (const auto i : source.choices(*node, contact.key("laws"), names))
+        chosen.push_back(&detail::all_laws()[i].row());
     const auto lacks = [&](const detail::Law* law) { return law->needs_dimension && !scene.face.dimension(); };
     if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
         if (std::erase_if(chosen, lacks) > 0)

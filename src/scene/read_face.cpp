@@ -136,7 +136,7 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
             source.refuse(node, section.key(key), "must be finite and not negative");
         return error;
     };
-    const auto measured = [&](Parameter which) { return face.measured && face.measured->find(which); };
+    const auto measured = [&](Parameter which) { return face.measured && face.measured->surface().find(which); };
     for (const auto& [which, value, error] : detail::face_parameters) {
         const detail::ParameterRow& row = detail::row_of(which);
         const toml::node* node = section.find(row.key);
@@ -155,8 +155,8 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
     for (const std::string_view key : gradients)
         if (const toml::node* node = section.find(key))
             face.errors.gradient = require_error(
-                *node, key, surface.find(key) || (key == "rms_gradient" && face.measured && face.measured->heights),
-                {});
+                *node, key,
+                surface.find(key) || (key == "rms_gradient" && face.measured && face.measured->surface().heights), {});
 }
 
 /// The keys of a face in \p table.
@@ -259,7 +259,7 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
     if (surface.find("from")) {
         measured = read_from(source, surface, progress);
         record_measured(source, *measured, path);
-        given.measured = found_of(measured);
+        given.measured = measured_face(found_of(measured));
     }
     if (const toml::node* node = surface.find("process"))
         given.process = read_process(source, *node, surface.key("process"), scene);
@@ -305,7 +305,7 @@ void take_surface(Source& source, const SceneSource& from, const toml::node* pro
     source.record("surface.from", from.measured ? measured->file + " (measured before)"
                                                 : document::display_name(from.surface) + " (--surface)");
     record_measured(source, *measured, "surface");
-    JointFace given{.measured = found_of(measured)};
+    JointFace given{.measured = measured_face(found_of(measured))};
     if (process) given.process = read_process(source, *process, "surface.process", scene);
     scene.face = detail::face_of(given);
     scene.measured = {measured};

@@ -145,8 +145,8 @@ std::string refusal_of(const detail::Law& law, const Scene& scene) {
 std::vector<const detail::Law*> offered_laws(const Scene& scene) {
     if (!scene.best) return scene.laws;
     std::vector<const detail::Law*> laws;
-    for (const detail::Law& law : detail::laws())
-        if (refusal_of(law, scene).empty()) laws.push_back(&law);
+    for (const ChosenLaw& law : detail::all_laws())
+        if (refusal_of(law.row(), scene).empty()) laws.push_back(&law.row());
     return laws;
 }
 

@@ -114,7 +114,7 @@ TEST_CASE("Bands from traces of 256 points across the lay hold K of faces that t
             std::vector<float> heights(256);
             REQUIRE(file.read(reinterpret_cast<char*>(heights.data()), 4 * 256));
             const Profile<double> trace{.heights = {heights.begin(), heights.end()}, .spacing = 0.5e-6};
-            const auto measured = std::make_shared<const Surface<double>>(measure(trace));
+            const auto measured = measured_face(measure(trace));
             traces.add(of, {.measured = measured});
         }
     traces.check(0.86, 0.62, 10);  // uneven faces have the least

@@ -27,8 +27,7 @@ HeightMap<double> map_of(double rms, std::uint64_t seed) {
 
 Joint joint_of(const HeightMap<double>& upper, const HeightMap<double>& lower) {
     const auto face = [](const HeightMap<double>& map) {
-        return JointFace{.measured =
-                             std::make_shared<const Surface<double>>(measure(map, {.map_form = MapForm::mean}))};
+        return JointFace{.measured = measured_face(measure(map, {.map_form = MapForm::mean}))};
     };
     return {.face = face(upper),
             .other = face(lower),

@@ -214,7 +214,8 @@ TEST_CASE(
     int refused = 0;
     for (const Text& of : scenes()) {
         if (test::contains(of.text, "shared/surfaces")) continue;  // a large map: its explanation is followed above
-        for (const detail::Law& law : detail::laws()) {
+        for (const ChosenLaw& one : detail::all_laws()) {
+            const detail::Law& law = one.row();
             INFO(of.file << ", law " << law.name);
             CHECK(refusal_in_the_end({with_law_alone(of.text, std::string(law.name)), of.file}, &refused) == "");
         }
@@ -258,8 +259,8 @@ TEST_CASE("Advice about holes, spikes, a lay and waviness can be followed") {
             (void)follow(of, sentence);
             said += sentence + "\n";
         }
-        for (const detail::Law& law : detail::laws())
-            if (const std::string why = scene::refusal_of(law, read); !why.empty())
+        for (const ChosenLaw& one : detail::all_laws())
+            if (const std::string why = scene::refusal_of(one.row(), read); !why.empty())
                 (void)follow({with_line(with_line(of.text, "[material.upper]", "yield_strength = \"1 GPa\""),
                                         "[surface]", "fractal_dimension = 1.5"),
                               of.file},

@@ -156,7 +156,7 @@ TEST_CASE("The band of 1 mm of a trace of a hard or a soft steel holds K of the 
                 const auto stiffness = [&](const Profile<double>& trace) {
                     MeasureOptions<double> how;
                     how.lambda_s = CutOff<double>::of(2.5e-6);
-                    const auto measured = std::make_shared<const Surface<double>>(measure(trace, how));
+                    const auto measured = measured_face(measure(trace, how));
                     const Body steel{.elastic = {205e9, 0.3}, .hardness = hardness};
                     return answer({.face = {.measured = measured}, .upper = steel, .lower = steel}, std::array{5e6})
                         .points[0]

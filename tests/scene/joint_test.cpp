@@ -137,7 +137,7 @@ TEST_CASE("The answer of a joint of a trace, of a map and of two faces is that o
     const auto measured = [&](const std::string& name, const std::string& text) {
         const auto input = surface::read_surface_input(test::surface_options("", folder.write(name, text)));
         const auto find = [](const auto& heights) { return measure(heights); };
-        return std::make_shared<const Surface<double>>(std::visit(find, input.surface.data));
+        return measured_face(std::visit(find, input.surface.data));
     };
     const auto trace = measured(
         "trace.txt",
@@ -180,7 +180,7 @@ TEST_CASE("Laws by name have the curves and bands of a scene that names them") {
                          .errors = {.height = 0.1e-6, .fractal_dimension = 0.05}},
                 .upper = body("steel"),
                 .lower = body("cast_iron")};
-    const Answer found = answer(joint, pressures, {.laws = {LawName::hertz, LawName::fractal, LawName::persson}});
+    const Answer found = answer(joint, pressures, {.laws = {laws::hertz, laws::fractal, laws::persson}});
     const actions::Results results = actions::compute(
         read("[surface]\nrms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 "
              "/mm^2\"\nfractal_dimension = 1.4\nerrors = { rms_height = \"0.1 um\", fractal_dimension = 0.05 }\n" +
@@ -198,7 +198,7 @@ TEST_CASE("Laws by name have the curves and bands of a scene that names them") {
             CHECK(point.stiffness.high == curve.band[i].high);
         }
     }
-    CHECK(test::refusal([&] { (void)answer(joint, pressures, {.laws = {LawName::summits}}); }) ==
+    CHECK(test::refusal([&] { (void)answer(joint, pressures, {.laws = {laws::summits}}); }) ==
           "law summits: needs a measured map");
 }
 
@@ -370,7 +370,7 @@ TEST_CASE("The ball of a scene is one on the law of the answer and of the ends o
 
 TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on what is thrown") {
     const SelfAffineOptions<double> rough{.hurst = 0.8, .rms = 0.2e-6, .longest_wavelength = 20e-6, .seed = 3};
-    const auto map = std::make_shared<const Surface<double>>(measure(self_affine_map(rough, 64, 64, 0.5e-6, 0.5e-6)));
+    const auto map = measured_face(measure(self_affine_map(rough, 64, 64, 0.5e-6, 0.5e-6)));
     const Joint joint{.face = {.measured = map}, .upper = body("steel"), .lower = body("steel")};
     const std::vector<double> many{1e7, 3e7, 1e8, 3e8, 1e9};
     const Answer alone = answer(joint, many);
@@ -411,7 +411,7 @@ TEST_CASE("A contact by the name of its law has K of the answer, and keeps what 
     Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
     joint.upper.hardness = 1e9;
     const Answer found = answer(joint, pressures);
-    const std::shared_ptr<const AnyContact> contact = contact_of(joint, LawName::plastic);
+    const std::shared_ptr<const AnyContact> contact = contact_of(joint, laws::plastic);
     joint = {};
     for (const AnswerPoint& point : found.points) {
         REQUIRE(point.law == LawName::plastic);
@@ -457,9 +457,9 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
     CHECK(refused([](Joint& of) { of.upper.elastic.poisson_ratio = 0.7; }).starts_with("upper.poisson_ratio = 0.7"));
     CHECK(refused([](Joint&) {}, {1e6, 0.0}).starts_with("pressure = 0: must be finite and greater than 0"));
     CHECK(refused([](Joint&) {}, {}) == "pressures: must have at least one");
-    CHECK(test::refusal([&] { (void)contact_of(joint, LawName::boundary_elements); }) ==
+    CHECK(test::refusal([&] { (void)contact_of(joint, laws::boundary_elements); }) ==
           "law boundary_elements: needs a measured map");
-    CHECK(test::refusal([&] { (void)contact_of(joint, LawName::fractal); }) == "law fractal: needs fractal_dimension");
+    CHECK(test::refusal([&] { (void)contact_of(joint, laws::fractal); }) == "law fractal: needs fractal_dimension");
     Joint soft = joint;
     soft.upper.hardness = 20e6;
     const Answer closed = answer(soft, pressures);

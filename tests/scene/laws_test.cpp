@@ -309,7 +309,7 @@ TEST_CASE("scenes without the inputs of a law are refused with what is missing")
 }
 
 TEST_CASE("Every law has its description") {
-    for (const detail::Law& law : detail::laws()) CHECK(!law.nature.empty());
+    for (const ChosenLaw& one : detail::all_laws()) CHECK(!one.row().nature.empty());
     CHECK(detail::find_law("fractal")->nature.starts_with("as printed in the paper"));
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("A scene warns of the same numbers, and is doubtful") {
 TEST_CASE("A point without a stiffness has no number and no law") {
     Joint joint = steel_joint();
     joint.upper.hardness = joint.lower.hardness = 2e7;
-    const Answer found = answer(joint, std::vector{1e6, 3e7}, {.laws = {LawName::plastic}});
+    const Answer found = answer(joint, std::vector{1e6, 3e7}, {.laws = {laws::plastic}});
     REQUIRE(found.points.size() == 2);
     CHECK(found.points[0].law == LawName::plastic);
     for (const AnswerPoint& lost : {found.points[1], found.laws.front().points[1], AnswerPoint()}) {
@@ -110,7 +110,7 @@ TEST_CASE("A point without a stiffness has no number and no law") {
     CHECK(answer(joint, std::vector{1e6, 2e7}).points[1].reason ==
           "2e+07 Pa reaches the hardness (2e+07 Pa): the contact is closed");
     CHECK(test::refusal([&] {
-              (void)answer(joint, std::vector{1e6}, {.laws = {LawName::none}});
+              (void)answer(joint, std::vector{1e6}, {.laws = {ChosenLaw()}});
           }).starts_with("law: must be one of fractal"));
 }
 

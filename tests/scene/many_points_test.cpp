@@ -78,7 +78,7 @@ TEST_CASE("Thousands of pressures have the answer of each alone: K within 1e-7, 
         std::vector<double> some;
         for (std::size_t i = 0; i < many.size(); i += step) some.push_back(many[i]);
         AnswerOptions options{.samples = 100};
-        if (joint.upper.hardness == 2e9) options.laws = {LawName::hybrid, LawName::persson, LawName::hertz};
+        if (joint.upper.hardness == 2e9) options.laws = {laws::hybrid, laws::persson, laws::hertz};
         const Answer of_many = answer(joint, many, options), alone = answer(joint, some, options);
         require_near(of_many.points, alone.points, step);
         REQUIRE(of_many.laws.size() == alone.laws.size());

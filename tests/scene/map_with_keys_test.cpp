@@ -104,7 +104,7 @@ TEST_CASE("The numbers of a map have the gradient of all its waves, from its doc
 
 TEST_CASE("A measured map keeps its K in C++ next to numbers that it does not take") {
     using namespace fstiff;
-    const auto measured = std::make_shared<const Surface<double>>(measure(map()));
+    const auto measured = measured_face(measure(map()));
     const Body steel = body_of(*find_material("C45"));
     Joint joint{.face = {.measured = measured}, .upper = steel, .lower = steel};
     const double K = answer(joint, std::array{2e8}).points[0].stiffness.value;

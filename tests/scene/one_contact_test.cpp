@@ -112,8 +112,7 @@ TEST_CASE("what was measured of heights replaces the surface of a scene and of n
     CHECK(scene.face.parameters.rms_height.value == measured.found.rms_height.value);
     const actions::Results results = actions::compute(scene);
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
-        const Joint joint{.face = {.measured = std::make_shared<const Surface<double>>(measured.found)},
-                          .effective_modulus = results.modulus};
+        const Joint joint{.face = {.measured = measured_face(measured.found)}, .effective_modulus = results.modulus};
         const actions::OneContact one = actions::make_contact(std::string(scene.laws[law]->name), joint);
         const auto points = one.contact->at_pressures(scene.points, Quantity::stiffness);
         for (std::size_t i = 0; i < points.size(); ++i)

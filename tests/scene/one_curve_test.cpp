@@ -22,9 +22,8 @@ namespace {
 
 /// A joint of \p map and a smooth face, E* = 100 GPa; of \p hardness [Pa], 0: elastic.
 Joint joint_of(const HeightMap<double>& map, double hardness) {
-    Joint joint{.face = {.measured = std::make_shared<const Surface<double>>(measure(map))},
-                .effective_modulus = 100e9,
-                .nominal_area = map.area()};
+    Joint joint{
+        .face = {.measured = measured_face(measure(map))}, .effective_modulus = 100e9, .nominal_area = map.area()};
     joint.upper.hardness = hardness > 0 ? hardness : std::numeric_limits<double>::infinity();
     return joint;
 }
@@ -115,7 +114,7 @@ TEST_CASE("Bands of a plastic law over many pressures, which are computed at a f
                                .errors = {.height = 0.05e-6, .gradient = 0.01}},
                       .upper = steel,
                       .lower = steel};
-    const AnswerOptions options{.laws = {LawName::jackson_green}, .samples = 40};
+    const AnswerOptions options{.laws = {laws::jackson_green}, .samples = 40};
     const std::vector<double> many = pressures_of(1e6, 1e8, 61);
     const Answer of_many = answer(joint, many, options);
     for (const std::size_t i : {0u, 17u, 40u, 60u}) {

@@ -212,7 +212,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Every law of the table has a name, its equations and a contact, and is found by its name") {
-    for (const detail::Law& law : detail::laws()) {
+    for (const ChosenLaw& one : detail::all_laws()) {
+        const detail::Law& law = one.row();
         INFO(law.name);
         CHECK(detail::find_law(law.name) == &law);
         CHECK(law.contact != nullptr);

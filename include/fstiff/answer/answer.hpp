@@ -16,12 +16,13 @@
 /// Accuracy    K and both ends of `fstiff run`, to the last digit (tests/scene/joint_test.cpp); of the band:
 ///             docs/accuracy.md
 
+#include <fstiff/answer/any_contact.hpp>
 #include <fstiff/answer/causes.hpp>
-#include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/chosen_law.hpp>
+#include <fstiff/answer/concern.hpp>
 #include <fstiff/answer/joint.hpp>
-#include <fstiff/answer/laws.hpp>
 #include <fstiff/core/parallel.hpp>
-#include <fstiff/topography/line_transform.hpp>
+#include <fstiff/topography/edges.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -35,12 +36,12 @@ namespace fstiff::inline v0_1 {
 
 /// How an answer is computed.
 struct AnswerOptions {
-    std::vector<LawName> laws{};  ///< that have a curve each next to the answer
-    bool next = false;            ///< what to measure next too, which takes up to five more answers at one pressure
-    int samples = 400;            ///< surfaces drawn for the band; 0: K alone, without a band of the surface
-    std::uint64_t seed = 2014;    ///< of them
-    bool solve_map = true;        ///< boundary elements of a map where they know more, which take seconds
-    int grid = 256;               ///< their points a side, at least 16
+    std::vector<ChosenLaw> laws{};  ///< that have a curve each next to the answer
+    bool next = false;              ///< what to measure next too, which takes up to five more answers at one pressure
+    int samples = 400;              ///< surfaces drawn for the band; 0: K alone, without a band of the surface
+    std::uint64_t seed = 2014;      ///< of them
+    bool solve_map = true;          ///< boundary elements of a map where they know more, which take seconds
+    int grid = 256;                 ///< their points a side, at least 16
     Edges edges = Edges::mirrored;
     double gamma = 0.45;   ///< of Persson's theory, above 0 and at most 1
     double seating = 1e3;  ///< the approach is 0 at this pressure [Pa]
@@ -125,7 +126,7 @@ struct Answer {
 
 /// The contact of \p joint by \p law, of the first of its distributions of peaks. The contact keeps what it is made of.
 /// \throws domain_error naming the member of the joint that the law needs.
-[[nodiscard]] std::shared_ptr<const AnyContact> contact_of(const Joint& joint, LawName law,
+[[nodiscard]] std::shared_ptr<const AnyContact> contact_of(const Joint& joint, const ChosenLaw& law,
                                                            const AnswerOptions& options = {});
 
 }  // namespace fstiff::inline v0_1

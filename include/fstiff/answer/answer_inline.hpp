@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/answer.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/answer.hpp for joints of numbers: fstiff/answer_inline.hpp and fstiff/implementation.hpp
+/// include them.
+
+#define FSTIFF_ANSWER_INLINE
 
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/bands_inline.hpp>
@@ -10,7 +13,7 @@
 #include <fstiff/answer/curves_inline.hpp>
 #include <fstiff/answer/elements_inline.hpp>
 #include <fstiff/answer/face_inline.hpp>
-#include <fstiff/answer/laws_inline.hpp>
+#include <fstiff/answer/law_rows_inline.hpp>
 #include <fstiff/answer/problem_inline.hpp>
 #include <fstiff/answer/quick_hybrids_inline.hpp>
 #include <fstiff/answer/resolve_inline.hpp>
@@ -152,7 +155,7 @@ FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressure
             answer.next = {next->which, pressures[pressures.size() / 2],
                            curve.band[*index].high / curve.band[*index].low, next->factor};
     if (options.laws.empty()) return answer;
-    for (const LawName law : options.laws) request.laws.push_back(&detail::possible_law(law, problem));
+    for (const ChosenLaw& law : options.laws) request.laws.push_back(&detail::possible_law(law, problem));
     request.answers = request.checked = false;
     for (const detail::LawCurve& named : curves_of(problem, request, options.progress).named)
         answer.laws.push_back({named.law->which, named.theta, named.r, points_of(problem, named, pressures)});
@@ -179,7 +182,7 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<
         rms_height, range, 1.0);
 }
 
-FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, LawName law,
+FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, const ChosenLaw& law,
                                                            const AnswerOptions& options) {
     struct Kept {
         detail::Problem problem;

@@ -60,16 +60,7 @@ FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, det
         *face.rms_gradient *= further.steeper * std::pow(taller, face.gradient_growth);
         face.follow();
     }
-    if (face.map) {
-        MapOfSurface map{{},
-                         {detail::resampled(face.map->summits[further.shift], tiles_a_side, further.tiles)},
-                         face.map->spectra,
-                         face.map->bearings,
-                         face.map->mean_square_height,
-                         face.map->first_bearing + further.shift,
-                         face.map->taller * taller};
-        face.map = std::make_shared<const MapOfSurface>(std::move(map));
-    }
+    if (face.map) face.map = face.map->resampled(further.shift, tiles_a_side, further.tiles, taller);
     for (Peaks& peaks : problem.peaks)
         if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
     return problem;
@@ -206,36 +197,19 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
 }
 
 FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
-    struct Part {
-        const MapOfSurface* map;
-        std::size_t index;
-        bool is_cut;  ///< else the passage from the summits
-    };
-    const LawOptions& options = problem.law_options;
-    const double modulus = problem.effective_modulus, hardness = hardness_of(problem);
-    const auto asks_for = [&](LawName name) {
-        return std::count(request.laws.begin(), request.laws.end(), &find_law(name)) > 0;
-    };
-    const bool flows = asks_for(LawName::plastic), hands_over = flows || asks_for(LawName::hybrid);
-    std::vector<Part> parts;
+    std::vector<const MapOfSurface*> maps;
+    std::vector<std::function<void()>> parts;
     const auto add = [&](const Face& face) {  // neighbours may have the map of the surface itself
         const MapOfSurface* const map = face.map.get();
-        const auto is_same = [map](const Part& part) { return part.map == map; };
-        if (!map || !face.spectrum_of_map || std::any_of(parts.begin(), parts.end(), is_same)) return;
-        for (std::size_t i = map->first_bearing; i < map->first_bearing + map->summits.size(); ++i) {
-            if (hands_over) parts.push_back({map, i, false});
-            if (flows) parts.push_back({map, i, true});
-        }
+        if (!map || !face.spectrum_of_map || std::count(maps.begin(), maps.end(), map) > 0) return;
+        maps.push_back(map);
+        for (auto& part : map->pieces(problem, request)) parts.push_back(std::move(part));
     };
     add(problem.face);
     for (const Face& neighbour : problem.face.neighbours) add(neighbour);
     detail::run_pieces(request.parallel, parts.size(), [&](std::size_t i) {
-        const auto& [map, index, is_cut] = parts[i];
         try {
-            if (!is_cut) return void(map->bearings->hand_over(index, options.edges, modulus, options.gamma));
-            const MapCut<double> cut = map->bearings->cut(index, options.edges, modulus);
-            for (const double p : request.points)
-                if (!request.at_separations && p < hardness) (void)cut.stiffness(p / hardness);
+            parts[i]();
         } catch (const domain_error&) {  // whoever needs it finds it again
         }
     });

@@ -6,6 +6,7 @@
 #include <fstiff/answer/band.hpp>
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/law_choice.hpp>
 #include <fstiff/answer/laws.hpp>
 #include <fstiff/answer/problem.hpp>
 #include <fstiff/contact/contact_state.hpp>
@@ -196,6 +197,17 @@ inline constexpr double most_noise = 0.05;
 
 /// Where the approach of \p curve, which has its states, begins, or why \p contact has no separation there.
 void seat(const Request& request, const AnyContact& contact, LawCurve& curve);
+
+/// Whether the laws take the spectrum of a map of \p face.
+[[nodiscard]] bool is_map(const Face& face);
+/// Boundary elements at one point of a request.
+struct Solved {
+    double weight = 0;  ///< next to the law of the summits; 0: not solved
+    ContactState<double> state{};
+    CauseSpread<double> cut_offs{};
+    double noise = 0;  ///< change of ln K once the noise of the map is gone
+    std::optional<double> seated{};
+};
 
 /// Makes \p curve, of law_of_answer() with its states and its band, the answer: at points where boundary elements of
 /// the map know more they take its place, and the band takes in every cause. \p progress is called while they are

@@ -6,6 +6,7 @@
 #include <fstiff/answer/curves.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -221,10 +222,11 @@ FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         problem.face.write([](Face& face) { face.spectrum_of_map = false; });
     AnswerQuestion<double> question{.known = known_as(problem)};
-    for (const Law& law : laws())
-        if (!law.needs_whole_map && lack_of(law, problem, at_separations) == Lack::nothing)
-            question.available.push_back(law.which);
-    return find_law(detail::answering_law(question));
+    const std::array choices{laws::plastic, laws::hybrid, laws::hertz, laws::greenwood_williamson};
+    for (const ChosenLaw& law : choices)
+        if (lack_of(law.row(), problem, at_separations) == Lack::nothing) question.available.push_back(law.which);
+    const LawName law = detail::answering_law(question);
+    return std::find_if(choices.begin(), choices.end(), [&](const ChosenLaw& one) { return one.which == law; })->row();
 }
 
 FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,

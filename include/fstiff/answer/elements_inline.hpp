@@ -5,7 +5,6 @@
 
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/problem.hpp>
-#include <fstiff/answer/solved_map_inline.hpp>
 
 #include <fstiff/answer/band.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
@@ -20,6 +19,12 @@
 #include <vector>
 
 namespace fstiff::inline v0_1::detail {
+
+FSTIFF_INLINE bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
+
+FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
+    return is_map(face) && face.filtered && face.map->spectra ? face.map->noise(edges) : 0;
+}
 
 /// The side [m] of what was measured: of a profile its length, of a map the root of its area; 0 for numbers.
 FSTIFF_INLINE double measured_side(const Problem& problem) {
@@ -208,7 +213,10 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
                                                                    : is_of_traces(problem) ? length
                                                                                            : 0);
     facts.waves_at_least = longer.at_least && problem.nominal_area.has_value();
-    const std::vector<Solved> of_place = boundary_elements_of(problem, request, facts.flows, curve, progress);
+    const bool solves = request.solves_map && is_map(problem.face);
+    const std::vector<Solved> of_place = solves
+                                             ? problem.face.map->solve(problem, request, facts.flows, curve, progress)
+                                             : std::vector<Solved>(request.points.size());
     for (const auto& state : curve.states) {
         AnswerReason& reason = facts.reasons.emplace_back();
         if (curve.rms_gradient)
@@ -246,7 +254,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
         const auto total = detail::band_of(reason.causes);
         constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
         bands.push_back({K * std::exp(total.low), K, (std::min)(most, K * std::exp(total.high))});
-        curve.by.push_back(solved.weight >= 0.5 ? &find_law(LawName::boundary_elements) : curve.law);
+        curve.by.push_back(solved.weight >= 0.5 ? &laws::boundary_elements.row() : curve.law);
     }
     make_ends_rise(curve.states, bands);
     curve.band = std::move(bands);

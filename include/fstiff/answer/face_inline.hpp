@@ -6,11 +6,8 @@
 #include <fstiff/answer/problem.hpp>
 
 #include <fstiff/answer/checks.hpp>
-#include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/measure/uncertain_sum.hpp>
-#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/height_map.hpp>
-#include <fstiff/topography/map_spectrum.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +15,6 @@
 #include <utility>
 
 namespace fstiff::inline v0_1::detail {
-
-/// The shells of both, in ascending order of |q|.
-FSTIFF_INLINE SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>& a, const SpectrumShells<double>& b) {
-    SpectrumShells<double> sum{a.shells, std::hypot(a.rms_height, b.rms_height)};
-    sum.shells.insert(sum.shells.end(), b.shells.begin(), b.shells.end());
-    std::stable_sort(sum.shells.begin(), sum.shells.end(), [](const auto& left, const auto& right) {
-        return left.q2_h2 * right.q_h2 < right.q2_h2 * left.q_h2;
-    });
-    return sum;
-}
 
 /// Whether sigma, R and D_p of \p face are those that were measured.
 FSTIFF_INLINE bool is_as_measured(const Face& face) {
@@ -145,107 +132,9 @@ FSTIFF_INLINE Eigen::Index missing_points(const MapOfSurface& map) {
     return missing;
 }
 
-/// The summits of \p map; where none is above its eight neighbours, because the highest points are equal, one of these.
-FSTIFF_INLINE Summits<double> summits_or_highest(const HeightMap<double>& map) {
-    Summits<double> result = summits_of(map);
-    if (!result.summits.empty() || map.rows() < 5 || map.columns() < 5) return result;
-    Eigen::Index j = 0, i = 0;
-    const auto inner = map.heights.block(1, 1, map.rows() - 2, map.columns() - 2);
-    inner.isNaN().select(-std::numeric_limits<double>::infinity(), inner).maxCoeff(&j, &i);
-    ++j, ++i;
-    if (map.heights.block(j - 1, i - 1, 3, 3).isNaN().any()) return result;
-    auto top = detail::top_of(detail::shape_by_differences<double>(map.heights, j, i), map.dx, map.dy, 1.0);
-    if (!(top.min_curvature > detail::min_curvature_ratio<double> * top.max_curvature)) return result;
-    const MapHeights<double> heights(map);
-    top.height += (heights.in_units(map.heights(j, i)) - heights.mean) * heights.unit;
-    top.x += static_cast<double>(i) * map.dx, top.y += static_cast<double>(j) * map.dy;
-    result.summits.push_back(top);
-    return result;
-}
-
-FSTIFF_INLINE std::shared_ptr<const MapOfSurface> map_of_surface(
-    std::vector<std::shared_ptr<const HeightMap<double>>> maps) {
-    MapOfSurface result;
-    result.maps = std::move(maps);
-    double area = 0;
-    bool complete = true;
-    for (const auto& map : result.maps) {
-        result.summits.push_back(detail::with_hertz_factors(summits_or_highest(*map)));
-        const double rms = result.summits.back().rms_height;
-        result.mean_square_height += map->area() * rms * rms;
-        area += map->area();
-        complete = complete && map->present() == map->size() && map->rows() >= 4 && map->columns() >= 4;
-    }
-    result.mean_square_height /= area;
-    if (complete)
-        result.spectra = std::make_shared<const SpectraOfMaps>([maps = result.maps, area](Edges edges) {
-            SpectrumShells<double> sum;
-            for (const auto& map : maps)
-                sum = sum_of_spectra(sum, detail::scaled(map_spectrum(*map, edges), std::sqrt(map->area() / area)));
-            return sum;
-        });
-    result.bearings = std::make_shared<const BearingsOfMaps>(result.maps, result.summits);
-    return std::make_shared<const MapOfSurface>(std::move(result));
-}
-
 FSTIFF_INLINE std::string no_sum_of_maps(const Face& upper, const Face& lower) {
     if (!upper.map || !lower.map) return "not both faces are maps";
-    for (const auto& map : upper.map->maps)
-        for (const auto& other : lower.map->maps)
-            if (std::string why = detail::no_sum_of(*map, *other); !why.empty()) return why;
-    return "";
-}
-
-/// The map of \p surface in a contact: with all of its short waves, unless a lambda_s was given.
-FSTIFF_INLINE std::shared_ptr<const HeightMap<double>> map_of_contact(const Surface<double>& surface) {
-    const auto& [cut_offs, map] = std::tie(surface.cut_offs, surface.map);
-    if (cut_offs.why_s != LambdaSReason::by_table || !map->unfiltered) return {map, &map->map};
-    if (!cut_offs.lambda_c) return map->unfiltered;
-    if (cut_offs.filter == CutOffFilter::robust) return {map, &map->map};
-    return std::make_shared<const HeightMap<double>>(detail::gaussian_high_pass(*map->unfiltered, *cut_offs.lambda_c));
-}
-
-/// \p surface as the contact sees it, with the maps of \p shared, where there are any, in place of its own.
-FSTIFF_INLINE Face face_as_found(const Surface<double>& surface,
-                                 const std::shared_ptr<const MapOfSurface>& shared = nullptr) {
-    Face face;
-    face.parameters = surface;
-    face.parameters.profile_fit.reset(), face.parameters.map_fit.reset(), face.parameters.islands.reset();
-    if (!face.has_peaks()) face.parameters.r.reset(), face.parameters.theta.reset();
-    face.widest_band = surface.widest_band;
-    face.lambda_s = surface.cut_offs.lambda_s;
-    face.heights = surface.heights;
-    if (surface.heights) {
-        const bool all = surface.all_waves && surface.all_waves->moments.bandwidth() > 1.5;  // else of no spectrum
-        const HeightStatistics<double>& waves = all ? *surface.all_waves : *surface.heights;
-        face.rms_gradient = waves.rms_gradient.value;
-        face.gradient_error = waves.rms_gradient.error;
-        face.alpha = waves.moments.bandwidth();
-        face.set_shape(detail::counted_shape(*surface.heights, surface.shape_share));
-    }
-    std::vector<std::shared_ptr<const HeightMap<double>>> maps;  // which live as long as what was measured
-    if (surface.map) maps.push_back(map_of_contact(surface));
-    for (const Surface<double>& part : surface.parts)
-        if (part.map) maps.push_back(map_of_contact(part));
-    if (surface.map && maps.front().get() != &surface.map->map) face.filtered = {surface.map, &surface.map->map};
-    if (shared)
-        face.map = shared;
-    else if (!maps.empty())
-        face.map = map_of_surface(std::move(maps));
-    const bool has_all_waves = surface.cut_offs.why_s == LambdaSReason::by_table;  // K does not depend on lambda_s
-    for (const Surface<double>& neighbour : surface.neighbours) {
-        face.neighbours.push_back(face_as_found(neighbour, has_all_waves ? face.map : nullptr));
-        Face& other = face.neighbours.back();
-        if (!other.has_peaks()) other.parameters.r = face.parameters.r, other.parameters.theta = face.parameters.theta;
-        if (surface.all_waves) other.rms_gradient = face.rms_gradient, other.alpha = face.alpha;
-    }
-    return face;
-}
-
-FSTIFF_INLINE Face face_of(std::shared_ptr<const Surface<double>> measured) {
-    Face face = face_as_found(*measured);
-    face.measured = std::move(measured);
-    return face;
+    return upper.map->no_sum(*lower.map);
 }
 
 /// The sum of two faces with the parameters \p parameters, without maps, neighbours and measurements.
@@ -292,22 +181,7 @@ FSTIFF_INLINE Face sum_in_order(const Face& upper, const Face& lower, int shifts
         face.neighbours.push_back(sum_in_order(neighbour(upper), neighbour(lower), shifts, seed));
     }
     if (!no_sum_of_maps(upper, lower).empty()) return face;
-    MapOfSurface sum_map;
-    const auto &above = upper.map->maps, &below = lower.map->maps;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(shifts); ++k) {  // of several maps each in turn
-        HeightMap<double> map =
-            detail::random_sum(*above[k % above.size()], *below[k / above.size() % below.size()], seed);
-        sum_map.summits.push_back(summits_of(map));
-        sum_map.maps.push_back(std::make_shared<const HeightMap<double>>(std::move(map)));
-    }
-    if (upper.map->spectra && lower.map->spectra)
-        sum_map.spectra =
-            std::make_shared<const SpectraOfMaps>([a = upper.map->spectra, b = lower.map->spectra](Edges edges) {
-                return sum_of_spectra(a->shells(edges), b->shells(edges));
-            });
-    sum_map.mean_square_height = upper.map->mean_square_height + lower.map->mean_square_height;
-    sum_map.bearings = std::make_shared<const BearingsOfMaps>(sum_map.maps, sum_map.summits);
-    face.map = std::make_shared<const MapOfSurface>(std::move(sum_map));
+    face.map = upper.map->sum(*lower.map, shifts, seed);
     return face;
 }
 

@@ -17,7 +17,6 @@
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/measure/measure.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/wave/spring_interface.hpp>
@@ -27,17 +26,35 @@
 
 namespace fstiff::inline v0_1 {
 
+namespace detail {
+struct Face;
+}
+template <Real T>
+struct Surface;
+
+/// A measured surface as a joint takes it: what measured_face() makes.
+class MeasuredFace {
+public:
+    virtual ~MeasuredFace() = default;
+    [[nodiscard]] virtual const Surface<double>& surface() const = 0;
+    [[nodiscard]] virtual detail::Face face() const = 0;  ///< as the laws have it
+};
+/// \p surface, of measure(), for a joint. \throws domain_error for null.
+[[nodiscard]] std::shared_ptr<const MeasuredFace> measured_face(std::shared_ptr<const Surface<double>> surface);
+/// The same of a copy.
+[[nodiscard]] std::shared_ptr<const MeasuredFace> measured_face(Surface<double> surface);
+
 /// A rough face: a measured surface, or numbers. A number that is given takes the place of what was measured; one that
 /// is neither given nor measured has the prior of `process`, whose width is in the band.
 struct JointFace {
-    std::shared_ptr<const Surface<double>> measured{};  ///< of measure(), of a profile or a map
-    std::optional<double> rms_height{};                 ///< Rq, Sq [m], above 0
-    std::optional<double> mean_height{};                ///< Ra, Sa [m], above 0, in place of rms_height
-    std::optional<double> rms_gradient{};               ///< Sdq [1], above 0
-    std::optional<double> profile_gradient{};           ///< Rdq across the lay [1], above 0, in place of rms_gradient
-    std::optional<double> profile_spacing{};            ///< RSm [m], above 0, in place of rms_gradient
-    std::optional<double> alpha{};                      ///< Nayak's m0 m4/m2^2, above 1.5
-    std::optional<double> hurst{};                      ///< above 0, at most 1
+    std::shared_ptr<const MeasuredFace> measured{};  ///< measured_face() of a profile or a map
+    std::optional<double> rms_height{};              ///< Rq, Sq [m], above 0
+    std::optional<double> mean_height{};             ///< Ra, Sa [m], above 0, in place of rms_height
+    std::optional<double> rms_gradient{};            ///< Sdq [1], above 0
+    std::optional<double> profile_gradient{};        ///< Rdq across the lay [1], above 0, in place of rms_gradient
+    std::optional<double> profile_spacing{};         ///< RSm [m], above 0, in place of rms_gradient
+    std::optional<double> alpha{};                   ///< Nayak's m0 m4/m2^2, above 1.5
+    std::optional<double> hurst{};                   ///< above 0, at most 1
     /// Of the heights: both or none, from -3 to 3, and from skewness^2 + 1 to 100. Below detail::least_kurtosis(), as
     /// of two levels, the curve is that of least_kurtosis().
     std::optional<double> skewness{}, kurtosis{};

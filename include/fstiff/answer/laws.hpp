@@ -1,92 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A law by its name at run time: one table, in answer/laws_inline.hpp. To add a law: docs/extending.md.
+/// A law by its name at run time: its row, in answer/law_rows_inline.hpp. To add a law: docs/extending.md.
 
-#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/any_contact.hpp>
+#include <fstiff/answer/chosen_law.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/contact/bearing_contact.hpp>
-#include <fstiff/contact/contact_state.hpp>
-#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/contact/plastic_contact.hpp>
-#include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/core/text.hpp>
-#include <fstiff/identify/differences.hpp>
-#include <fstiff/identify/identify.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/bearing_curve.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/spectrum.hpp>
+#include <fstiff/topography/edges.hpp>
 #include <fstiff/topography/height_map.hpp>
-#include <fstiff/topography/line_transform.hpp>
 #include <fstiff/topography/summits.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
-
-// A contact whose law is known by name only.
-//
-//     const auto contact = fstiff::contact_of(joint, fstiff::LawName::hybrid);
-//     const double p = 10e6;
-//     contact->at_pressures(std::span(&p, 1), fstiff::Quantity::stiffness).front().state.stiffness.value    [Pa/m]
-//
-// Reference   answer/laws.hpp: the laws
-// Units       SI
-// Valid       as the law
-// Accuracy    that of the law: the same number as the contact by itself (tests/scene/laws_test.cpp)
-
-namespace fstiff::inline v0_1 {
-
-template <Real T>
-class ContactLaw;
-template <Real T>
-struct LawRange;
-
-/// A contact whose law is known by name only.
-class AnyContact {
-public:
-    using Points = std::vector<ContactPoint<double>>;
-    virtual ~AnyContact() = default;
-    /// The states under pressures [Pa], and at separations [m]; a point out of reach has that status.
-    [[nodiscard]] virtual Points at_pressures(std::span<const double> pressures, Quantity quantities) const = 0;
-    [[nodiscard]] virtual Points at_separations(std::span<const double> separations, Quantity quantities) const = 0;
-    /// How far the peaks are pressed in at each of \p etas, of states of this contact; empty where no range depends on
-    /// it.
-    [[nodiscard]] virtual std::vector<LoadMeans<double>> means_at(std::span<const double> /*etas*/) const { return {}; }
-    [[nodiscard]] virtual bool has_table() const { return false; }
-    /// The contact tabulated. \throws domain_error unless has_table(), and as
-    /// ContactLaw::tabulate.
-    [[nodiscard]] virtual ContactLaw<double> tabulate(const LawRange<double>& range) const;
-};
-
-}  // namespace fstiff::inline v0_1
-
-// The spectra of maps, their crowded contacts by their bearing curves, and their highest points. They cost a sort and
-// a transform of each map, so that they are made when a law first asks for them; all copies of a surface share them.
 
 namespace fstiff::inline v0_1::detail {
 
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
 [[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
 
-/// The spectra that a function makes, of each way to go on beyond the edges.
+/// The spectra that a function makes, of each way to go on beyond the edges: each costs a transform of every map, so
+/// that it is made when a law first asks for it, and all copies of a surface share it.
 class SpectraOfMaps {
 public:
     using Make = std::function<SpectrumShells<double>(Edges)>;
@@ -103,39 +58,6 @@ private:
     Make make_;
     mutable std::mutex guard_;
     mutable std::array<std::optional<SpectrumShells<double>>, 2> shells_;
-};
-
-class BearingsOfMaps {
-public:
-    BearingsOfMaps(std::vector<std::shared_ptr<const HeightMap<double>>> maps, std::vector<Summits<double>> summits)
-        : maps_(std::move(maps)), summits_(std::move(summits)) {}
-
-    /// Bearing curve of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
-    [[nodiscard]] BearingContact<double> contact(std::size_t index, Edges edges, double modulus, double gamma) const;
-    /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and
-    /// SummitContact.
-    [[nodiscard]] HandOver<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
-    /// The highest points of the map number \p index. \throws domain_error as HighestPoints.
-    [[nodiscard]] MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
-
-private:
-    /// The value of \p key in \p cache, else that of \p make, which is called without the lock because it takes long.
-    template <class Cache, class Make>
-    [[nodiscard]] auto kept(Cache& cache, const typename Cache::key_type& key, const Make& make) const {
-        std::unique_lock lock(guard_);
-        if (const auto entry = cache.find(key); entry != cache.end()) return entry->second;
-        lock.unlock();
-        auto value = make();
-        lock.lock();
-        return cache.emplace(key, std::move(value)).first->second;
-    }
-
-    std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
-    std::vector<Summits<double>> summits_;  ///< of each map
-    mutable std::mutex guard_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> bearings_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, HandOver<double>> hand_overs_;
-    mutable std::map<std::tuple<std::size_t, Edges, double>, MapCut<double>> cuts_;
 };
 
 /// Within which load means a law of plastic peaks holds.
@@ -158,24 +80,53 @@ struct LawOptions {
     double hardness = 0;                       ///< [Pa]; 0: elastic
 };
 
-/// Inputs of laws from a measured map in addition to its numbers.
-struct MapOfSurface {
+struct ContactInputs;
+struct Face;
+struct LawCurve;
+struct Problem;
+struct Request;
+struct Solved;
+
+/// Inputs of laws from a measured map in addition to its numbers. What computes with the heights of maps is in its
+/// virtual functions alone, so that a program for a joint of numbers has none of it.
+class MapOfSurface {
+public:
     std::vector<std::shared_ptr<const HeightMap<double>>> maps;  ///< without form; of two faces one sum for each shift
     std::vector<Summits<double>> summits;                        ///< one for each map
-    std::shared_ptr<const SpectraOfMaps> spectra;    ///< none where points are missing, or fewer than 4 a side
-    std::shared_ptr<const BearingsOfMaps> bearings;  ///< of the maps
-    double mean_square_height = 0;                   ///< of the maps, that of two faces the sum of both [m^2]
-    std::size_t first_bearing = 0;                   ///< of the first of `summits`
-    double taller = 1;                               ///< heights over those of the maps, where a surface was drawn
+    std::shared_ptr<const SpectraOfMaps> spectra;  ///< none where points are missing, or fewer than 4 a side
+    double mean_square_height = 0;                 ///< of the maps, that of two faces the sum of both [m^2]
+    double taller = 1;                             ///< heights over those of the maps, where a surface was drawn
 
+    virtual ~MapOfSurface() = default;
     [[nodiscard]] double rms_height() const { return taller * std::sqrt(mean_square_height); }
     /// Where there are spectra.
     [[nodiscard]] SpectrumShells<double> spectrum(Edges edges = Edges::mirrored) const {
         return detail::scaled(spectra->shells(edges), taller);
     }
+    /// The contact of the maps by \p law: summits, hybrid, plastic or boundary_elements.
+    [[nodiscard]] virtual std::unique_ptr<AnyContact> contact(LawName law, const ContactInputs& inputs) const = 0;
+    /// The map number \p shift, \p growth times as high, of whose \p a_side^2 tiles each is there as often as \p tiles
+    /// has it.
+    [[nodiscard]] virtual std::shared_ptr<const MapOfSurface> resampled(std::size_t shift, std::size_t a_side,
+                                                                        const std::vector<std::size_t>& tiles,
+                                                                        double growth) const = 0;
+    /// The maps \p factor times as high.
+    [[nodiscard]] virtual std::shared_ptr<const MapOfSurface> scaled(double factor) const = 0;
+    /// Why it has no sum of heights with \p other; empty where it has one.
+    [[nodiscard]] virtual std::string no_sum(const MapOfSurface& other) const = 0;
+    /// The sums of heights with \p other at \p shifts random shifts of \p other.
+    [[nodiscard]] virtual std::shared_ptr<const MapOfSurface> sum(const MapOfSurface& other, int shifts,
+                                                                  std::uint64_t seed) const = 0;
+    /// The pieces of what the laws of \p request keep of the maps, for several threads.
+    [[nodiscard]] virtual std::vector<std::function<void()>> pieces(const Problem& problem,
+                                                                    const Request& request) const = 0;
+    /// Rms height [m] of the white noise in the maps, which have spectra.
+    [[nodiscard]] virtual double noise(Edges edges) const = 0;
+    /// Boundary elements at each point of \p request where they count, of peaks that yield where it \p flows; \p curve
+    /// has the states that its law reaches, and gets those that only they reach. \p problem has this map.
+    [[nodiscard]] virtual std::vector<Solved> solve(const Problem& problem, const Request& request, bool flows,
+                                                    LawCurve& curve, const ProgressHook& progress) const = 0;
 };
-
-struct ContactInputs;
 
 /// K of hybrid of many surfaces of numbers, faster than by a contact of each.
 class QuickHybrid {
@@ -207,14 +158,6 @@ struct ContactInputs {
     ProgressHook progress{};                        ///< called once a state where that takes seconds
 };
 
-/// A measured curve and how it is fitted.
-struct FitInputs {
-    const std::vector<Observation<double>>& data;
-    const std::vector<Parameter>& parameters;
-    ContactParameters<double> start;
-    IdentifyOptions<double> options;
-};
-
 /// One law.
 struct Law {
     LawName which{};
@@ -226,8 +169,6 @@ struct Law {
     std::string_view load, stiffness, peaks;
     /// \throws domain_error naming the parameter that is out of range.
     std::unique_ptr<AnyContact> (*contact)(const ContactInputs&) = nullptr;
-    /// Null where the law has no exact derivatives. \throws as fstiff::identify.
-    Identification<double> (*fit)(const FitInputs&) = nullptr;
     Quantity quantities = Quantity::all;  ///< that the law gives
     bool needs_spectrum = false, needs_map = false, needs_hardness = false, needs_yield = false;
     bool needs_summits = false, needs_whole_map = false;  ///< of the map; the latter of 16 points a side at least
@@ -242,12 +183,9 @@ struct Law {
 };
 
 /// All laws, in the order in which choices are listed.
-[[nodiscard]] std::span<const Law> laws();
+[[nodiscard]] std::span<const ChosenLaw> all_laws();
 [[nodiscard]] std::vector<std::string_view> law_names();
-/// Parameters that can be fitted.
-[[nodiscard]] std::vector<std::string_view> fitted_law_names();
-/// Fits the parameters of any curve, by differences. \throws as detail::identify_by_differences.
-[[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const CurveOfParameters<double>& curve);
+/// \p name must not be none.
 [[nodiscard]] const Law& find_law(LawName name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);

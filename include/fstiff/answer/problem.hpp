@@ -143,8 +143,6 @@ struct Face {
 /// sigma, R and D_p, whose peaks have the correlation \p r.
 [[nodiscard]] std::optional<ImplausibleGradient> implausible_gradient(const Face& face, double r);
 
-/// Measured parameters in the form that the contact uses.
-[[nodiscard]] Face face_of(std::shared_ptr<const Surface<double>> measured);
 /// Inputs of laws from \p maps, at least one, of one surface.
 [[nodiscard]] std::shared_ptr<const MapOfSurface> map_of_surface(
     std::vector<std::shared_ptr<const HeightMap<double>>> maps);
@@ -283,8 +281,10 @@ void take_bodies(const Body& upper, const Body& lower, const std::optional<doubl
 
 /// \p lack as the reason of a law.
 [[nodiscard]] std::string reason_of(Lack lack);
-/// The law called \p law. \throws domain_error where it cannot be computed of \p problem.
-[[nodiscard]] const Law& possible_law(LawName law, const Problem& problem);
+/// \throws domain_error where \p law cannot be computed of \p problem.
+void require_possible(const Law& law, const Problem& problem);
+/// The row of \p law. \throws as require_possible, and where \p law is none.
+[[nodiscard]] const Law& possible_law(const ChosenLaw& law, const Problem& problem);
 
 /// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where none are
 /// given, those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.

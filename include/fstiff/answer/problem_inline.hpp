@@ -3,7 +3,6 @@
 /// \file
 /// The functions of answer/problem.hpp: inline, or compiled in fstiff::double.
 
-#include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/problem.hpp>
 #include <fstiff/answer/state_table.hpp>
@@ -195,13 +194,16 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
     return "";
 }
 
-FSTIFF_INLINE const Law& possible_law(LawName law, const Problem& problem) {
-    if (name_of(law).empty()) throw domain_error("law: must be one of " + choices_text<LawName>());
-    const Law& row = find_law(law);
-    const std::string name = "law " + std::string(row.name) + ": ";
-    if (row.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
-    if (const Lack lack = lack_of(row, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
-    return row;
+FSTIFF_INLINE void require_possible(const Law& law, const Problem& problem) {
+    const std::string name = "law " + std::string(law.name) + ": ";
+    if (law.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
+    if (const Lack lack = lack_of(law, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
+}
+
+FSTIFF_INLINE const Law& possible_law(const ChosenLaw& law, const Problem& problem) {
+    if (!law.row) throw domain_error("law: must be one of " + choices_text<LawName>());
+    require_possible(law.row(), problem);
+    return law.row();
 }
 
 FSTIFF_INLINE std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {

@@ -6,9 +6,6 @@
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/laws.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/surface/material_ratio.hpp>
-#include <fstiff/topography/gaussian_map_filter.hpp>
-#include <fstiff/topography/map_spectrum.hpp>
 
 #include <cmath>
 #include <functional>
@@ -168,25 +165,6 @@ namespace fstiff::inline v0_1::detail {
 FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
     if (shape.is_gaussian()) return nullptr;
     return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
-}
-
-FSTIFF_INLINE BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus,
-                                                             double gamma) const {
-    return kept(bearings_, {index, edges, modulus, gamma}, [&] {
-        GaussianOrder<double> order = detail::gaussian_order(*maps_[index]);
-        const PerssonContact<double> gaussian(map_spectrum(order.map, edges), modulus, gamma);
-        return BearingContact<double>(gaussian, std::move(order.curve), order.rms_height);
-    });
-}
-
-FSTIFF_INLINE HandOver<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, double modulus,
-                                                         double gamma) const {
-    return kept(hand_overs_, {index, edges, modulus, gamma},
-                [&] { return detail::hand_over_of(summits_[index], contact(index, edges, modulus, gamma), edges); });
-}
-
-FSTIFF_INLINE MapCut<double> BearingsOfMaps::cut(std::size_t index, Edges edges, double modulus) const {
-    return kept(cuts_, {index, edges, modulus}, [&] { return MapCut<double>(*maps_[index], modulus, edges); });
 }
 
 }  // namespace fstiff::inline v0_1::detail

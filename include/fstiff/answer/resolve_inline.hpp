@@ -177,7 +177,7 @@ FSTIFF_INLINE std::string_view instead_of_map(const JointFace& spec) {
 FSTIFF_INLINE Face face_of(const JointFace& spec) {
     require_numbers(spec);
     Face face;
-    if (spec.measured) face = face_of(spec.measured);
+    if (spec.measured) face = spec.measured->face();
     face.process = spec.process;
     take_height_and_gradient(spec, face);
     const auto put = [&](const Given& value, Given Face::*into) {

@@ -18,8 +18,6 @@
 
 namespace fstiff::inline v0_1::detail {
 
-FSTIFF_INLINE bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
-
 /// Whether the share \p area can carry \p pressure at \p hardness (0: elastic): of few points the solver may find too
 /// few.
 FSTIFF_INLINE bool is_carried(double pressure, double area, double hardness) {
@@ -38,7 +36,7 @@ FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, c
                                                        const LawCurve& base, double hardness) {
     std::vector<ElementPoint> points;
     if (!request.solves_map || !is_map(problem.face) ||
-        lack_of(find_law(LawName::boundary_elements), problem, request.at_separations) != Lack::nothing)
+        lack_of(laws::boundary_elements.row(), problem, request.at_separations) != Lack::nothing)
         return points;
     const HeightMap<double>& map = *problem.face.map->maps.front();
     const double coarser =
@@ -110,7 +108,7 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
 /// solver does not reach.
 FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, const std::vector<ElementPoint>& points,
                               double hardness, const ProgressHook& progress) {
-    const Law& law = find_law(LawName::boundary_elements);
+    const Law& law = laws::boundary_elements.row();
     LawCurve curve{.law = &law};
     if (points.empty()) return curve;
     std::vector<ElementPoint> nodes = solved_points(points);
@@ -174,12 +172,6 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
     return out;
 }
 
-FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
-    if (!is_map(face) || !face.filtered || !face.map->spectra) return 0;
-    const HeightMap<double>& map = *face.map->maps.front();
-    return detail::white_noise(face.map->spectra->shells(edges), map.dx, map.dy);
-}
-
 /// Change of ln K at each state of \p solved once the noise of the map is gone: that of the lambda_s of the tables, as
 /// far as the gradient which this takes away is noise.
 FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const LawCurve& solved, double hardness,
@@ -231,15 +223,6 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> of_cut_offs(const Problem& proble
     widen(map, 1, share < 0.99);
     return causes;
 }
-
-/// Boundary elements at one point of a request.
-struct Solved {
-    double weight = 0;  ///< next to the law of the summits; 0: not solved
-    ContactState<double> state{};
-    CauseSpread<double> cut_offs{};
-    double noise = 0;  ///< change of ln K once the noise of the map is gone
-    std::optional<double> seated{};
-};
 
 /// Gives \p curve the states of \p of_place at points that its law does not reach.
 FSTIFF_INLINE void reach_further(const std::vector<Solved>& of_place, LawCurve& curve) {

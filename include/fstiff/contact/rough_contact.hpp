@@ -20,6 +20,7 @@
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/load_means.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/contact_integrals.hpp>
@@ -318,17 +319,6 @@ private:
 // Valid       as RoughContact
 // Accuracy    the tolerance asked for, 1e-4 by default; each mean carries its bound
 //             (tests/contact/load_means_test.cpp)
-
-namespace fstiff::inline v0_1 {
-
-/// Depth to which the peaks are pressed in, as means over the load that they carry.
-template <Real T = double>
-struct LoadMeans {
-    Estimate<T> interference;  ///< of omega/omega_c
-    Estimate<T> radius_ratio;  ///< of a/R
-};
-
-}  // namespace fstiff::inline v0_1
 
 namespace fstiff::inline v0_1::detail {
 

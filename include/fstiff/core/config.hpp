@@ -35,12 +35,7 @@
 
 #include <version>
 
-// The functions of fstiff/answer are inline, or compiled in fstiff::double, whose users have FSTIFF_COMPILED.
-#ifdef FSTIFF_COMPILED
-#define FSTIFF_INLINE
-#else
-#define FSTIFF_INLINE inline
-#endif
+#define FSTIFF_INLINE inline  // functions of fstiff/answer; not in fstiff/implementation.hpp
 
 // Marks functions that are rarely called, or that a program should hold once: a hint to compilers that support it.
 #if __has_cpp_attribute(gnu::cold)

@@ -309,3 +309,7 @@ Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
 }
 
 }  // namespace fstiff::inline v0_1
+
+#ifdef FSTIFF_COMPILED  // in fstiff::double, with all that a measurement consists of
+#include <fstiff/double/surfaces.hpp>
+#endif

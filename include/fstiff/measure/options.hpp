@@ -19,18 +19,21 @@
 
 namespace fstiff::inline v0_1 {
 
-/// Tag for "no filter".
+namespace detail {
+
 struct NoCutOff {};
 
+}  // namespace detail
+
 /// No cut-off: all waves are kept.
-inline constexpr NoCutOff no_cut_off{};
+inline constexpr detail::NoCutOff no_cut_off{};
 
 /// A requested cut-off: by default that of the tables (lambda_c: for Ra alone), else a length [m] or no_cut_off.
 template <Real T = double>
 class CutOff {
 public:
     constexpr CutOff() = default;
-    constexpr CutOff(NoCutOff) : automatic_(false) {}
+    constexpr CutOff(detail::NoCutOff) : automatic_(false) {}
     constexpr CutOff(std::type_identity_t<T> length) : automatic_(false), length_(length) {}
     /// Cut-off of another measurement: \p wavelength, or none.
     [[nodiscard]] static constexpr CutOff of(const std::optional<T>& wavelength) {

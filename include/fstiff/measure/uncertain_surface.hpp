@@ -18,6 +18,7 @@
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/long_waves.hpp>
+#include <fstiff/measure/measurement.hpp>
 #include <fstiff/measure/plain_form.hpp>
 #include <fstiff/measure/sections.hpp>
 #include <fstiff/surface/parameter.hpp>
@@ -37,18 +38,11 @@
 
 namespace fstiff::inline v0_1 {
 
-/// A measured value and its standard error.
-template <Real T = double>
-struct Measurement {
-    T value{}, error{};
-};
+namespace detail {
 
 /// Correlation matrix of the parameters of a surface; rows and columns in the order of Parameter.
 template <Real T>
-using ParameterCorrelation =
-    std::array<std::array<T, detail::surface_parameter_count>, detail::surface_parameter_count>;
-
-namespace detail {
+using ParameterCorrelation = std::array<std::array<T, surface_parameter_count>, surface_parameter_count>;
 
 /// Correlation matrix of independent parameters: the identity.
 template <Real T>
@@ -75,7 +69,7 @@ struct SurfaceParameters {
     std::string why_no_dimension, why_no_peaks;       ///< why there is no D, no r and theta; empty when there are
     std::string why_no_density;                       ///< why there is no D_p, of a map no R either
     /// Correlation of the errors; those of different origin (D; the islands of a map) are assumed independent.
-    ParameterCorrelation<T> correlation = detail::uncorrelated<T>();
+    detail::ParameterCorrelation<T> correlation = detail::uncorrelated<T>();
     LengthRange<T> window;        ///< lags that gave D, of the direction with the smaller error [m]; 0 to 0: none
     T long_wave_share{};          ///< of the mean square height in waves longer than an eighth of the surface
     LongEnd<T> long_end{};        ///< waves of a larger contact beyond these

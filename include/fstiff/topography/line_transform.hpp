@@ -13,21 +13,12 @@
 /// Valid       at least 2 points; lengths that are products of 2, 3 and 5 are fast, others need one of 2N or more
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
-#include <fstiff/core/names.hpp>
 #include <fstiff/math/fft.hpp>
+#include <fstiff/topography/edges.hpp>
 
 #include <numbers>
 
 namespace fstiff::inline v0_1 {
-
-/// Continuation of a map beyond its edges.
-enum class Edges {
-    mirrored,  ///< reflected at each edge, so that no step arises: for measured maps
-    periodic   ///< repeated: for generated maps that repeat themselves
-};
-template <>
-inline constexpr auto names<Edges> = detail::name_list<Edges>({{Edges::mirrored, "mirrored"},
-                                                               {Edges::periodic, "periodic"}});
 
 namespace detail {
 

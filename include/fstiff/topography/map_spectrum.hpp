@@ -117,6 +117,8 @@ template <Real T>
     return spectrum;
 }
 
+namespace detail {
+
 /// One-sided spectrum of the sections of a map along one axis.
 template <Real T = double>
 struct SectionSpectrum {
@@ -133,13 +135,15 @@ struct SectionSpectrum {
     }
 };
 
+}  // namespace detail
+
 /// Power spectrum of a map over all directions, and of its sections.
 template <Real T = double>
 struct RadialSpectrum {
     std::vector<T> wavenumber;       ///< mean |q| of a shell [rad/m]
     std::vector<T> value;            ///< C [m^4]
     std::vector<std::size_t> waves;  ///< in the shell
-    SectionSpectrum<T> along_x, along_y;
+    detail::SectionSpectrum<T> along_x, along_y;
 };
 
 namespace detail {
@@ -174,7 +178,7 @@ template <Real T>
     std::vector<T> power(shells + 1), lengths(shells + 1);
     std::vector<std::size_t> waves(shells + 1);
     const auto section = [](Index points, T unit) {
-        SectionSpectrum<T> out;
+        detail::SectionSpectrum<T> out;
         out.step = unit;
         out.halved = points % 2 == 0;
         out.value.resize(static_cast<std::size_t>(points / 2));
@@ -186,7 +190,7 @@ template <Real T>
                              .waves = {},
                              .along_x = section(columns, grid.unit_x),
                              .along_y = section(rows, grid.unit_y)};
-    const auto put = [](SectionSpectrum<T>& spectrum, Index k, T square) {
+    const auto put = [](detail::SectionSpectrum<T>& spectrum, Index k, T square) {
         if (k > 0) spectrum.value[static_cast<std::size_t>(k) - 1] += square;
     };
     detail::visit_waves(detail::windowed(map, window), Edges::periodic, [&](T k, T l, T square) {
