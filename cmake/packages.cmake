@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Packages by cpack, in the build folder after the build:
-#     cpack -G DEB    fstiff (component cli), libfstiff-dev (dev), libfstiff-io-dev (io) and libfstiff-c (c), each with what it depends on
+#     cpack -G DEB    fstiff (component cli), libfstiff-dev (dev), libfstiff-io-dev (io), libfstiff-double-dev
+#                    (double) and libfstiff-c (c), each with what it depends on
 #     cpack -G TGZ    one archive of these components
 #     cpack --config CPackSourceConfig.cmake    the sources, without the build folder
 set(CPACK_PACKAGE_VENDOR "the fstiff authors")
@@ -13,6 +14,9 @@ set(CPACK_COMPONENTS_ALL dev)
 if(FSTIFF_BUILD_IO)
     list(APPEND CPACK_COMPONENTS_ALL io)
 endif()
+if(FSTIFF_BUILD_DOUBLE)
+    list(APPEND CPACK_COMPONENTS_ALL double)
+endif()
 if(TARGET fstiff_cli)
     list(APPEND CPACK_COMPONENTS_ALL cli)
 endif()
@@ -21,6 +25,7 @@ if(TARGET fstiff_c)
 endif()
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers of C++20, and the files that CMake and pkg-config find them by.")
 set(CPACK_COMPONENT_IO_DESCRIPTION "Readers and writers of measured surfaces, with their headers of C++20.")
+set(CPACK_COMPONENT_DOUBLE_DESCRIPTION "The templates of the headers in double and the answer, compiled: a static library.")
 set(CPACK_COMPONENT_CLI_DESCRIPTION "The command fstiff, and scenes to begin with.")
 set(CPACK_COMPONENT_C_DESCRIPTION "The C interface with its header, and the Fortran module.")
 
@@ -40,6 +45,9 @@ endif()
 if(TARGET fstiff::zlib)
     string(APPEND CPACK_DEBIAN_IO_PACKAGE_DEPENDS ", zlib1g-dev")
 endif()
+set(CPACK_DEBIAN_DOUBLE_PACKAGE_NAME libfstiff-double-dev)
+set(CPACK_DEBIAN_DOUBLE_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DOUBLE_PACKAGE_DEPENDS "libfstiff-dev (= ${PROJECT_VERSION})")
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME fstiff)
 set(CPACK_DEBIAN_CLI_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_C_PACKAGE_NAME libfstiff-c)

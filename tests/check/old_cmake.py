@@ -23,11 +23,11 @@ def main():
         print("SKIPPED: pip cannot install CMake 3.22")
         return
     cmake = tools / "cmake" / "data" / "bin" / "cmake"
-    for io in ("OFF", "ON"):
-        build = options.work / f"io-{io}"
+    for component in ("", "io"):
+        build = options.work / f"component-{component}"
         subprocess.run([cmake, "-S", pathlib.Path(__file__).parents[1] / "consumer", "-B", build,
                         f"-DCMAKE_CXX_COMPILER={options.compiler}", f"-DCMAKE_PREFIX_PATH={options.prefix}",
-                        f"-DFSTIFF_VERSION_WANTED={options.version}", f"-DFSTIFF_WITH_IO={io}"], check=True)
+                        f"-DFSTIFF_VERSION_WANTED={options.version}", f"-DFSTIFF_COMPONENT={component}"], check=True)
         subprocess.run([cmake, "--build", build], check=True)
         subprocess.run([build / "consumer"], check=True)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Packs what was built as .deb and .tar.gz, reads the fields of the former, unpacks both, runs the command and builds the
-# program of docs/linking-c.md from what was unpacked. No file comes with two packages, which are the components.
+# program of docs/linking-c.md from what was unpacked, and one with fstiff::double from the .deb. No file comes with two
+# packages, which are the components.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
@@ -20,7 +21,8 @@ execute_process(COMMAND ${COMMAND} run OUTPUT_VARIABLE built ERROR_QUIET COMMAND
 # works(prefix): the command, and a program in C by the header and library there.
 function(works prefix)
     foreach(file IN ITEMS bin/fstiff share/fstiff/sand_blasted_fine.toml include/fstiff/fstiff.hpp include/fstiff.h
-                          share/cmake/fstiff/fstiff-config.cmake share/pkgconfig/fstiff.pc include/fstiff/io/write.hpp)
+                          share/cmake/fstiff/fstiff-config.cmake share/pkgconfig/fstiff.pc include/fstiff/io/write.hpp
+                          share/doc/fstiff-double/LICENSE)
         if(NOT EXISTS ${prefix}/${file})
             message(FATAL_ERROR "there is no ${prefix}/${file}")
         endif()
@@ -71,9 +73,15 @@ endfunction()
 fields(fstiff "libc6 \\(>= .*libstdc\\+\\+6 \\(>=")
 fields(libfstiff-dev "^libeigen3-dev \\(>= 3\\.4\\)$")
 fields(libfstiff-io-dev "^libfstiff-dev \\(= ")
+fields(libfstiff-double-dev "^libfstiff-dev \\(= ${VERSION}\\)$")
 if(SHARED)
     fields(libfstiff-c "libc6 \\(>= .*libstdc\\+\\+6 \\(>=")
 else()
     fields(libfstiff-c "")
 endif()
 works(${WORK}/installed/usr)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/tests/consumer -B ${WORK}/consumer -D CMAKE_PREFIX_PATH=${WORK}/installed/usr
+                        -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" -D FSTIFF_COMPONENT=double
+                OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/consumer OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${WORK}/consumer/consumer OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
