@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The headers of fstiff, and what reads files, as a Conan 2 package, made of the clone that this file lies in:
+"""The headers of fstiff and its libraries of C++ as a Conan 2 package, made of the clone that this file lies in:
 
     conan create packaging/conan                                  Eigen from the Conan remote
     conan create packaging/conan -o "fstiff/*:system_eigen=True"  Eigen from the system's packages
     conan create packaging/conan -o "fstiff/*:io=True"            fstiff::io too, without X3P and compressed .sur
+    conan create packaging/conan -o "fstiff/*:double=True"        fstiff::double too
 """
 import pathlib
 import re
@@ -15,6 +16,7 @@ from conan.tools.files import copy
 from conan.tools.system.package_manager import Apt, Brew, Dnf, PacMan
 
 required_conan_version = ">=2.0"
+LIBRARIES = {"io": "src/io", "double": "src/instances"}  # options, targets fstiff::io and fstiff::double, and their sources
 
 
 class FstiffConan(ConanFile):
@@ -23,8 +25,8 @@ class FstiffConan(ConanFile):
     license = "BSD-3-Clause"
     topics = ("tribology", "contact mechanics", "header-only")
     settings = "os", "arch", "compiler", "build_type"
-    options = {"system_eigen": [True, False], "io": [True, False]}
-    default_options = {"system_eigen": False, "io": False}
+    options = {"system_eigen": [True, False], **{part: [True, False] for part in LIBRARIES}}
+    default_options = {option: False for option in options}
     no_copy_source = True
 
     @property
@@ -36,11 +38,15 @@ class FstiffConan(ConanFile):
         self.version = re.search(r'define FSTIFF_VERSION_TEXT "(.+)"', text)[1]
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*", "src/io/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "include/*", *(f"{folder}/*" for folder in LIBRARIES.values())):
             copy(self, pattern, str(self._clone), self.export_sources_folder)
 
+    @staticmethod
+    def _built(options):
+        return [part for part in LIBRARIES if getattr(options, part)]
+
     def configure(self):
-        self.package_type = "static-library" if self.options.io else "header-library"
+        self.package_type = "static-library" if self._built(self.options) else "header-library"
 
     def requirements(self):
         if not self.options.system_eigen:
@@ -58,9 +64,10 @@ class FstiffConan(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
-        for part in ("CLI", "C", "DOUBLE", "TESTS", "BENCH"):
+        for part in ("CLI", "C", "TESTS", "BENCH"):
             toolchain.cache_variables[f"FSTIFF_BUILD_{part}"] = False
-        toolchain.cache_variables["FSTIFF_BUILD_IO"] = bool(self.options.io)
+        for part in LIBRARIES:
+            toolchain.cache_variables[f"FSTIFF_BUILD_{part.upper()}"] = bool(getattr(self.options, part))
         for library in ("PUGIXML", "ZLIB"):  # none of the machine that builds
             toolchain.cache_variables[f"FSTIFF_{library}_LIBRARY"] = ""
         toolchain.generate()
@@ -72,22 +79,35 @@ class FstiffConan(ConanFile):
     def build(self):
         cmake = CMake(self)
         cmake.configure()
-        if self.options.io:
+        if self._built(self.options):
             cmake.build()
 
     def package(self):
         CMake(self).install()
 
     def package_id(self):
-        if not self.info.options.io:
+        if not self._built(self.info.options):
             self.info.clear()
 
     def package_info(self):
-        # The package's own files are what find_package(fstiff) finds, so that one target serves with Conan and without.
+        # The package's own files are what find_package(fstiff) finds, so that one target serves with Conan and without. The
+        # generators for other build systems read the components, which have the names and flags of the files of pkg-config.
         self.cpp_info.set_property("cmake_find_mode", "none")
         self.cpp_info.builddirs = ["share/cmake/fstiff"]
-        self.cpp_info.bindirs = []
-        self.cpp_info.libdirs = []
-        if self.options.io:
-            self.cpp_info.builddirs.append("lib/cmake/fstiff-io")
-            self.cpp_info.libdirs = ["lib"]
+        headers = self.cpp_info.components["headers"]
+        headers.set_property("cmake_target_name", "fstiff::fstiff")
+        headers.set_property("pkg_config_name", "fstiff")
+        headers.builddirs = self.cpp_info.builddirs
+        headers.bindirs = headers.libdirs = []
+        if not self.options.system_eigen:
+            headers.requires = ["eigen::eigen"]
+        for part in self._built(self.options):
+            flags = pathlib.Path(self.package_folder, f"lib/pkgconfig/fstiff-{part}.pc").read_text(encoding="utf-8")
+            library = self.cpp_info.components[part]
+            library.set_property("cmake_target_name", f"fstiff::{part}")
+            library.set_property("pkg_config_name", f"fstiff-{part}")
+            library.builddirs = [f"lib/cmake/fstiff-{part}"]
+            library.bindirs = []
+            library.defines = re.findall(r"-D(\S+)", flags)
+            library.libs = re.findall(r"-l(\S+)", flags)
+            library.requires = ["headers"]

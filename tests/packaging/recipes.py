@@ -23,6 +23,7 @@ NAMES = {
     "nanobind": ("nanobind", "py-nanobind", None),
 }
 OF_PYTHON = {"Eigen3", "nlohmann_json", "tomlplusplus", "PUGIXML", "ZLIB", "nanobind"}
+LIBRARIES = {"io": "src/io", "double": "src/instances"}  # the compiled libraries of C++, which every recipe offers
 TOOLS = {"cmake", "ninja", "cxx", "c", "pip", "python", "scikit-build-core", "numpy"}
 problems = []
 
@@ -34,6 +35,10 @@ def expect(satisfied, problem):
 
 def agree(what, found, wanted):
     expect(found == wanted, f"{what}: {sorted(map(str, found))} in place of {sorted(map(str, wanted))}")
+
+
+def offers(what, found):
+    agree(f"{what}: libraries", {name for name in LIBRARIES if f"FSTIFF_BUILD_{name.upper()}" in found}, set(LIBRARIES))
 
 
 def names_in(column, packages):
@@ -88,7 +93,9 @@ def check_spack(root, version, packages, options):
         for _, named in seen["depends_on"]:
             expect(named.get("when", "+")[1:] in variants | {""}, f"Spack {name}: there is no variant for {named}")
         if hasattr(package, "cmake_args"):
-            agree(f"Spack {name}: options", {option for option, _ in package().cmake_args()} - options, set())
+            passed = {option for option, _ in package().cmake_args()}
+            agree(f"Spack {name}: options", passed - options, set())
+            offers("Spack", passed)
 
 
 def check_conda(root, version, packages, options):
@@ -100,6 +107,7 @@ def check_conda(root, version, packages, options):
         needed = set(re.findall(r"^        - ([\w-]+)", host, re.M)) - TOOLS
         agree("conda", needed, names_in(0, wanted))
         agree("conda: options", set(re.findall(r"-D (FSTIFF_\w+)", part)) - options, set())
+    offers("conda", re.findall(r"-D (FSTIFF_\w+)=ON", parts[0]))
     try:
         import rattler_build
     except ImportError:
@@ -117,10 +125,14 @@ def check_others(root, version, packages, options):
     agree("vcpkg", needed, names_in(2, packages))
     agree("vcpkg: version", {port["version"]}, {version})
     passed = (root / "packaging/vcpkg/fstiff/portfile.cmake").read_text(encoding="utf-8")
+    offers("vcpkg", passed)
+    usage = (root / "packaging/vcpkg/fstiff/usage").read_text(encoding="utf-8")
+    agree("vcpkg: targets of usage", set(re.findall(r"fstiff::(\w+)", usage)), {"fstiff", "c", *LIBRARIES})
     passed += (root / "pyproject.toml").read_text(encoding="utf-8")
     agree("vcpkg and pip: options", set(re.findall(r"FSTIFF_[A-Z_]+", passed)) - options - {"FSTIFF_VERSION_TEXT"}, set())
     conan = (root / "packaging/conan/conanfile.py").read_text(encoding="utf-8")
     switched = {f"FSTIFF_BUILD_{name}" for name in ast.literal_eval(re.search(r"for part in (\(.*\)):", conan)[1])}
+    agree("Conan: libraries", ast.literal_eval(re.search(r"(?m)^LIBRARIES = (\{.*?\})", conan)[1]).items(), LIBRARIES.items())
     libraries = {f"FSTIFF_{name}_LIBRARY" for name in ast.literal_eval(re.search(r"for library in (\(.*\)):", conan)[1])}
     agree("Conan: options", switched - options, set())
     agree("Conan: libraries that it leaves out", libraries, {one for one in options if one.endswith("_LIBRARY")})
