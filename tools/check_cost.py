@@ -7,6 +7,8 @@
     tools/check_cost.py code build/release
             the README's two commands, by what does not depend on the machine or its load: translation units, and bytes of code
             and constants in their objects, of the command and of everything
+    tools/check_cost.py files
+            CPU seconds of files that users write, over the file with Eigen alone; --update writes them into docs/linking-cpp.md
     tools/check_cost.py seconds
             the same two commands in CPU seconds, with their tests, in a fresh clone. On demand, because CPU seconds scatter by a
             tenth with the load of the machine (docs/development.md)"""
@@ -24,6 +26,19 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 EIGEN_ALONE = """#include <Eigen/Core>
 double f(const double* p) { Eigen::Map<const Eigen::ArrayXd> a(p, 100); return (a * a + 1.0).sum(); }
 """
+INLINE = "#include <fstiff/answer_inline.hpp>"
+FILES = {  # flags and the text of a file, from that of the README's program
+    "the README's program with `fstiff::double`": ("-DFSTIFF_COMPILED", lambda program: program),
+    "the same with an implementation file elsewhere": ("", lambda program: program.replace(INLINE, "")),
+    "the same alone, by `fstiff/answer_inline.hpp`": ("", lambda program: program),
+    "the implementation file": ("", lambda program: "#include <fstiff/implementation.hpp>"),
+    "`fit_fractal` of a profile, by the headers": ("", lambda program: """#include <fstiff/profile/fractal_fit.hpp>
+double f(const fstiff::Profile<double>& p) { return fstiff::fit_fractal(p).line_dimension; }"""),
+    "`measure` of a profile, by the headers": ("", lambda program: """#include <fstiff/measure/measure.hpp>
+double f(const fstiff::Profile<double>& p) { return fstiff::measure(p).rms_height.value; }"""),
+    "the same with `fstiff::double`": ("-DFSTIFF_COMPILED", lambda program: """#include <fstiff/measure/measure.hpp>
+double f(const fstiff::Profile<double>& p) { return fstiff::measure(p).rms_height.value; }"""),
+}
 COMMAND = ("fstiff_io", "fstiff_instances", "fstiff_scene", "fstiff_sweep", "fstiff_cli")
 # Of the command and of everything, by g++ 12; tests/CMakeLists.txt allows other versions a tenth more.
 CODE_UNITS, CODE_MB = (9, 77), (4.75, 31.0)
@@ -35,10 +50,16 @@ def cpu_seconds(command, cwd=None):
     return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
 
 
+def program_of_readme():
+    return (ROOT / "README.md").read_text(encoding="utf-8").split("\n```cpp\n", 1)[1].split("\n```", 1)[0]
+
+
 def of_program(options):
-    program = (options.program or ROOT / "README.md").read_text(encoding="utf-8")
-    if not options.program:
-        program = program.split("\n```cpp\n", 1)[1].split("\n```", 1)[0]
+    if options.file:
+        (_, text), = (entry for name, entry in FILES.items() if name.startswith(options.file))
+        program = text(program_of_readme())
+    else:
+        program = options.program.read_text(encoding="utf-8") if options.program else program_of_readme()
     flags = ["-std=c++20", *options.flags.split(), f"-I{ROOT / 'include'}"]
     flags += [flag for folder in options.eigen.split(";") for flag in ("-isystem", folder)]
     megabytes = {}
@@ -72,6 +93,31 @@ def of_code(options):
             yield f"{found:.2f} MB are more than {megabytes:g} for {what}"
 
 
+def of_files(options):
+    eigen, program, rows = [], program_of_readme(), {}
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder, "file.cpp")
+
+        def seconds(text, flags=""):
+            source.write_text(text + "\n", encoding="utf-8")
+            return cpu_seconds([options.compiler, "-std=c++20", "-O2", *flags.split(), f"-I{ROOT / 'include'}", "-isystem",
+                                options.eigen, "-c", source, "-o", source.with_suffix(".o")])
+
+        for name, (flags, text) in FILES.items():
+            eigen.append(seconds(EIGEN_ALONE))
+            cost = seconds(text(program), flags)
+            eigen.append(seconds(EIGEN_ALONE))
+            rows[name] = cost / statistics.mean(eigen[-2:])
+            print(f"{name}: {cost:.1f} CPU seconds, {rows[name]:.1f} times a file with Eigen alone")
+    if options.update:
+        page = ROOT / "docs/linking-cpp.md"
+        table = "".join(f"| {name} | {ratio:.1f} |\n" for name, ratio in rows.items())
+        old = page.read_text(encoding="utf-8")
+        new = re.sub(r"(?s)(<!-- tools/check_cost.py files -->\n\|.*?\n\|.*?\n).*?(?=<!-- /)", lambda mark: mark[1] + table, old)
+        page.write_text(new, encoding="utf-8", newline="\n")
+    return []
+
+
 def of_seconds(options):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run(["git", "clone", "--quiet", ROOT, folder], check=True)
@@ -93,11 +139,13 @@ def of_seconds(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parts = parser.add_subparsers(dest="part", required=True)
-    program, code, seconds = (parts.add_parser(name) for name in ("program", "code", "seconds"))
-    for part in (program, seconds):
+    program, code, files, seconds = (parts.add_parser(name) for name in ("program", "code", "files", "seconds"))
+    files.add_argument("--update", action="store_true", help="write the table of docs/linking-cpp.md")
+    for part in (program, files, seconds):
         part.add_argument("--compiler", default="g++")
         part.add_argument("--eigen", default="/usr/include/eigen3", help="include folders, divided by semicolons")
     program.add_argument("--flags", default="-O2")
+    program.add_argument("--file", help="the beginning of the name of a file that `files` measures")
     program.add_argument("--program", type=pathlib.Path, help="a file in place of the README's program")
     program.add_argument("--ratio", type=float, default=2.6, help="greatest multiple of what is allocated for Eigen alone")
     program.add_argument("--bytes", type=int, default=300000, help="greatest size of the object file")
@@ -107,7 +155,7 @@ def main():
     seconds.add_argument("--command", type=float, default=125, help="greatest multiple of the command")
     seconds.add_argument("--all", type=float, default=1350, help="greatest multiple of everything, tests run")
     options = parser.parse_args()
-    if refusals := list({"program": of_program, "code": of_code, "seconds": of_seconds}[options.part](options)):
+    if refusals := list({"program": of_program, "code": of_code, "files": of_files, "seconds": of_seconds}[options.part](options)):
         sys.exit("\n".join(refusals))
 
 

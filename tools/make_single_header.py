@@ -99,8 +99,9 @@ def main():
             taken.add(name)
         if "fstiff/answer/answer.hpp" in taken.seen:
             seen = set(taken.seen)
-            taken.lines.append("#ifdef FSTIFF_IMPLEMENTATION")
-            taken.add("fstiff/implementation.hpp")
+            taken.lines += ["#ifdef FSTIFF_IMPLEMENTATION", "#undef FSTIFF_INLINE", "#define FSTIFF_INLINE"]
+            taken.add("fstiff/answer/answer_inline.hpp")
+            taken.add("fstiff/answer/measured_face_inline.hpp")
             taken.lines.append("#endif  // FSTIFF_IMPLEMENTATION")
             taken.seen = seen
         title = f"{' and '.join(options.headers)} with all that they include, {taken.headers} headers in one file."

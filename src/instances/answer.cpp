@@ -2,6 +2,8 @@
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
 
-#include <fstiff/implementation.hpp>
-
+#undef FSTIFF_INLINE  // as fstiff/implementation.hpp has it
+#define FSTIFF_INLINE
+#include <fstiff/answer/answer_inline.hpp>
 #include <fstiff/answer/law_fits_inline.hpp>
+#include <fstiff/answer/measured_face_inline.hpp>
