@@ -107,21 +107,26 @@ private:
 
 }  // namespace
 
-TEST_CASE("Boundary elements of a smooth ball are Hertz, and of a rough one the law of the roughness on a ball") {
+TEST_CASE("Boundary elements of a smooth ball are Hertz") {
     const SolvedBall smooth(gaussian_map(1), 0, 0, 0);
     const ContactOfBall<double> hertz = detail::hertz_ball(1, 1, SolvedBall::force);
     CHECK(test::relative_error(smooth.stiffness, hertz.stiffness) < 1e-3);
     CHECK(test::relative_error(smooth.radius, hertz.radius) < 1e-3);
     CHECK(test::relative_error(smooth.pressure, hertz.pressure) < 1e-3);
     CHECK(test::relative_error(smooth.approach, hertz.approach) < 2e-3);
-    // The table of docs/validation.md: means over 16 places on each of two maps.
-    const struct {
-        double alpha;
-        Eigen::Array<double, 5, 1> means;  // K and a of the law over Hertz', of boundary elements over the law,
-                                           // and the difference of the approach over sigma
-    } rows[] = {{0.05, {0.990, 1.029, 0.995, 1.000, 0.005}},
-                {0.5, {0.879, 1.292, 1.002, 0.998, -0.005}},
-                {2, {0.607, 1.890, 1.014, 1.004, -0.005}}};
+}
+
+namespace {
+
+/// A row of the table of docs/validation.md: means over 16 places on each of two maps.
+struct RoughBalls {
+    double alpha;
+    Eigen::Array<double, 5, 1> means;  // K and a of the law over Hertz', of boundary elements over the law,
+                                       // and the difference of the approach over sigma
+};
+
+void check_rough_balls(const std::vector<RoughBalls>& rows) {
+    const ContactOfBall<double> hertz = detail::hertz_ball(1, 1, SolvedBall::force);
     constexpr Eigen::Index maps = 2, places = 16;
     const std::array surfaces{gaussian_map(1), gaussian_map(2)};
     const std::array laws{SolvedLaw(surfaces[0]), SolvedLaw(surfaces[1])};
@@ -143,6 +148,16 @@ TEST_CASE("Boundary elements of a smooth ball are Hertz, and of a rough one the 
         CAPTURE(row.alpha, mean.transpose(), scatter.transpose());
         CHECK((mean - row.means).abs().maxCoeff() < 1.5e-3);  // digits of the table, and rounding of another machine
     }
+}
+
+}  // namespace
+
+TEST_CASE("Boundary elements of a rough ball are the law of the roughness on a ball, at one roughness") {
+    check_rough_balls({{0.5, {0.879, 1.292, 1.002, 0.998, -0.005}}});
+}
+TEST_CASE("Boundary elements of a rough ball are the law of the roughness on a ball, at little and at much roughness",
+          "[long]") {
+    check_rough_balls({{0.05, {0.990, 1.029, 0.995, 1.000, 0.005}}, {2, {0.607, 1.890, 1.014, 1.004, -0.005}}});
 }
 
 TEST_CASE("Displacements of a disc are the integral of Boussinesq's over it") {
