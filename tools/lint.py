@@ -13,6 +13,7 @@
 
 tests/check/lint_refuse.py has a case for every rule."""
 import argparse
+import concurrent.futures
 import difflib
 import glob
 import math
@@ -531,8 +532,8 @@ class Snippets:
         self.problems.append(f"'{shown}' prints\n{actual}\nand the document shows\n{expected}")
         return expected
 
-    def program(self, name, body):
-        """What the program prints; None of what has no main(), and without a compiler."""
+    def compile(self, name, body):
+        """The program; None of what has no main() or is refused, and without a compiler."""
         if not self.compiler[0]:
             return None
         source, program = self.work / f"{name}.cpp", self.work / name
@@ -540,7 +541,7 @@ class Snippets:
         if "main(" not in body:
             self.run([*self.compiler, "-fsyntax-only", source], name)
         elif self.run([*self.compiler, source, *self.libraries, "-o", program], name) is not None:
-            return self.run([program], name)
+            return program
         return None
 
     def console(self, body, fails):
@@ -562,10 +563,15 @@ class Snippets:
         checked = count = 0
         printed = None  # by a program, and shown by no ```text block yet
         edits, text = [], read(self.document)
-        for count, (line, kind, body) in enumerate(blocks(text), 1):
+        found = list(enumerate(blocks(text), 1))
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as compilers:  # what takes longest is done at once
+            programs = {count: compilers.submit(self.compile, f"snippet_{count}", body)
+                        for count, (_, kind, body) in found if kind == "cpp"}
+        for count, (line, kind, body) in found:
             new = body
             if kind == "cpp":
-                printed = self.program(f"snippet_{count}", body)
+                program = programs[count].result()
+                printed = program and self.run([program], program.name)
             elif kind == "text" and printed is not None:
                 new, printed = self.compare(f"program {count}", body, printed), None
             elif kind in ("console check", "console check fails"):
