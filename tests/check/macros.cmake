@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Every public header compiles after the macros that windows.h, complex.h and hosts define, without the warnings that hosts
 # turn on; and a name that is such a macro is refused.
-# COMPILER, INCLUDE: of fstiff, EIGEN, WORK.
+# COMPILER, INCLUDE: of fstiff, EIGEN, WORK, PARTS: whether with the files *_inline.hpp, whose functions instantiate everything.
 cmake_minimum_required(VERSION 3.25)
 
 file(WRITE ${WORK}/macros.hpp "// windef.h, minwindef.h, rpcndr.h, objbase.h, winnt.h, wingdi.h, winbase.h
@@ -35,7 +35,7 @@ file(WRITE ${WORK}/macros.hpp "// windef.h, minwindef.h, rpcndr.h, objbase.h, wi
 # compile(before after): the headers \p before the macros and the text \p after them; sets result and error.
 function(compile before after)
     file(WRITE ${WORK}/macros.cpp "${before}\n#include \"macros.hpp\"\n${after}\n")
-    execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -Wconversion -Wsign-conversion
+    execute_process(COMMAND ${COMPILER} -std=c++20 -fsyntax-only ${definition} -Wall -Wextra -Wconversion -Wsign-conversion
                             -Wdouble-promotion -Werror -I${INCLUDE} -isystem ${EIGEN} ${WORK}/macros.cpp
                     RESULT_VARIABLE result ERROR_VARIABLE error)
     set(result ${result} PARENT_SCOPE)
@@ -44,6 +44,11 @@ endfunction()
 
 # Standard headers and those of other libraries come first, as they do with windows.h.
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE} ${INCLUDE}/*.hpp ${INCLUDE}/*.h)
+set(definition "")
+if(NOT PARTS)
+    list(FILTER headers EXCLUDE REGEX "_inline\\.hpp$")
+    set(definition -DFSTIFF_COMPILED)  # declares what they define
+endif()
 set(others "")
 set(own "")
 foreach(header IN LISTS headers)
