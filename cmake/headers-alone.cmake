@@ -64,7 +64,7 @@ function(fstiff_compile_alone group headers)
         endif()
     endif()
     foreach(header IN LISTS headers)
-        if(header MATCHES "_inline\\.hpp$")
+        if(header MATCHES "(_inline|/implementation)\\.hpp$")  # src/instances compiles the latter
             continue()
         endif()
         set(source ${folder}/${header}.cpp)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: bands, shares and scatter worked by hand; both sides of every limit at which another law answers.
-#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/law_choice.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

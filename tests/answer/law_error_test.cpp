@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/answer/causes.hpp>
+#include <fstiff/answer/law_errors.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
