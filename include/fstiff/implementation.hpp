@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of fstiff/answer.hpp, for one file of a program that does not link fstiff::double; a second one does not
-/// link. The CMake target fstiff::fstiff compiles such a file (docs/linking-cpp.md). With fstiff::double it is empty.
+/// The functions of fstiff/answer.hpp, for one file of a program that does not link fstiff::double; with a second one it
+/// does not link. The CMake target fstiff::fstiff compiles such a file (docs/linking-cpp.md). Where fstiff::double is
+/// linked, this is empty.
 
 #include <fstiff/core/config.hpp>
 
