@@ -124,4 +124,23 @@ TEMPLATE_TEST_CASE("eigenvectors and eigenvalues give the symmetric matrix back"
     CHECK(values.maxCoeff() == T(2));
 }
 
+TEMPLATE_TEST_CASE("vectors by loops hold what the expressions of Eigen do", "[decompositions]", float, double) {
+    using T = TestType;
+    using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    std::mt19937 generator(4);
+    for (const Eigen::Index size : {1, 2, 5, 8, 33}) {
+        const Matrix<T> a = random_matrix<T>(size + 1, size, generator), b = random_matrix<T>(size, 2, generator);
+        const Vector x = b.col(0), y = b.col(1);
+        CHECK(math::dot_in_lanes(x.data(), y.data(), size) == x.dot(y));  // to the last digit
+        CHECK(math::sum_in_lanes(x.data(), size) == x.sum());
+        CHECK(math::vector_of<T>(size, [&](Eigen::Index i) { return x[i] - y[i]; }) == Vector(x - y));
+        CHECK(is_rounding((math::product(a, x.data(), size) - a.lazyProduct(x)).norm()));
+        const Vector fewer = math::product(a, x.data(), size - 1) - a.leftCols(size - 1).lazyProduct(x.head(size - 1));
+        CHECK(is_rounding(fewer.norm()));
+        Vector cubes(size);
+        math::raise(x.data(), T(3), cubes.data(), size);
+        CHECK(is_rounding((cubes - x.cwiseProduct(x).cwiseProduct(x)).norm()));
+    }
+}
+
 }  // namespace decompositions_test

@@ -240,7 +240,7 @@ LogLevel<double> log_level(const MeasuredStructureFunction<T>& measured, const L
     const Vector<double> row = Eigen::Map<const Vector<double>>(used.data(), size);
     log.lag = Eigen::Map<const Vector<double>>(log_lag.data(), size);
     const Vector<double> y = Eigen::Map<const Vector<double>>(log_s.data(), size);
-    level.error = expected_spread(row, covariance_of(log, regression_slope(log.lag, y, 0, size - 1)));
+    level.error = expected_spread(row, covariance_of(log, regression_slope(log.lag, y.data(), 0, size - 1)));
     if (measured.resample)
         level.error = (std::max)(level.error, sample_spread(row, Matrix<double>(measured.resample(log.step))));
     return level;

@@ -54,7 +54,8 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
 template <Real F>
 Matrix<F> covariance_of(const LogStructure<F>& log, F power) {
     Matrix<F> covariance = log_covariance(log.step, log.pairs, std::clamp(power, F(0.05), F(1.95)));
-    const Vector<F> root = log.lag.unaryExpr([&](F lag) { return std::sqrt(log.independent(std::exp(lag))); });
+    const Vector<F> root = math::vector_of<F>(
+        log.lag.size(), [&](Eigen::Index k) { return std::sqrt(log.independent(std::exp(log.lag[k]))); });
     for (Eigen::Index i = 0; i < root.size(); ++i)
         for (Eigen::Index j = 0; j < root.size(); ++j) covariance(i, j) /= root[i] * root[j];
     return covariance;
@@ -64,17 +65,16 @@ Matrix<F> covariance_of(const LogStructure<F>& log, F power) {
 template <Real F>
 void set_slope_error(LogStructure<F>& log) {
     Matrix<F> sampled = covariance_of(log, F(1));
-    sampled.diagonal().array() += F(1e-8);
+    for (Eigen::Index k = 0; k < sampled.cols(); ++k) sampled(k, k) += F(1e-8);
     const Matrix<F> root = detail::cholesky(sampled);
-    log.slope_error = Vector<F>::Zero(log.lag.size());
-    for (Eigen::Index k = 0; k < root.cols(); ++k) {
-        const Vector<F> column = root.col(k);
-        for (Eigen::Index i = 0; i < column.size(); ++i) {
-            const F slope = local_slope(log.lag, column, i);
-            log.slope_error[i] += slope * slope;
+    log.slope_error = math::vector_of<F>(log.lag.size(), [&](Eigen::Index i) {
+        F squares = 0;
+        for (Eigen::Index k = 0; k < root.cols(); ++k) {
+            const F slope = local_slope(log.lag, &root(0, k), i);
+            squares += slope * slope;
         }
-    }
-    log.slope_error = log.slope_error.cwiseSqrt().eval();
+        return std::sqrt(squares);
+    });
 }
 
 /// S and S2 of \p profile with their resamples, for the lags of \p options. \throws domain_error as fit_fractal().
@@ -233,7 +233,7 @@ void set_fractal(FractalFit<T>& result, const LogFit<double>& line, const LogStr
     double beyond_model = 1;  // how much more the variance is than that of a Gaussian profile
     if (resampled.size() > 0) {
         const auto part = [&](const Vector<double>& row) {
-            return Vector<double>(row.segment(range.first, range.count()));
+            return math::vector_of<double>(range.count(), [&](Eigen::Index i) { return row[range.first + i]; });
         };
         const double bootstrap = sample_spread(part(main.dimension_row), resampled);
         result.bootstrap_dimension_error = static_cast<T>(bootstrap);
@@ -279,14 +279,22 @@ StructureFunction<T> up_to(StructureFunction<T> measured, T longest) {
 /// Sets D of the ordinary straight line over \p range, and its error. Returns the slope.
 template <Real T>
 double set_ordinary_line(FractalFit<T>& result, const LogStructure<double>& log, const IndexRange& range) {
-    const Vector<double> x = log.lag.segment(range.first, range.count()),
-                         y = log.value.segment(range.first, range.count());
-    const double slope = regression_slope(x, y, 0, x.size() - 1);
-    const auto centred = (x.array() - x.mean()).eval();
-    const double squares = (y.array() - y.mean() - slope * centred).square().sum();
+    const Eigen::Index size = range.count();
+    const auto part = [&](const Vector<double>& all) {
+        return math::vector_of<double>(size, [&](Eigen::Index i) { return all[range.first + i]; });
+    };
+    const auto mean = [&](const Vector<double>& v) {
+        return math::sum_in_lanes(v.data(), size) / static_cast<double>(size);
+    };
+    const auto squares = [&](const Vector<double>& v) { return math::dot_in_lanes(v.data(), v.data(), size); };
+    const Vector<double> x = part(log.lag), y = part(log.value);
+    const double slope = regression_slope(x, y.data(), 0, size - 1), mean_x = mean(x), mean_y = mean(y);
+    const Vector<double> centred = math::vector_of<double>(size, [&](Eigen::Index i) { return x[i] - mean_x; });
+    const Vector<double> rest =
+        math::vector_of<double>(size, [&](Eigen::Index i) { return y[i] - mean_y - slope * centred[i]; });
     result.line_dimension = static_cast<T>(2 - slope / 2);
     result.regression_dimension_error =
-        static_cast<T>(std::sqrt(squares / static_cast<double>(result.lags - 2) / centred.square().sum()) / 2);
+        static_cast<T>(std::sqrt(squares(rest) / static_cast<double>(result.lags - 2) / squares(centred)) / 2);
     return slope;
 }
 
@@ -358,7 +366,9 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
     Matrix<double> resampled;
     if (measured.resample) {
         resampled = measured.resample({log.step.begin() + range.first, log.step.begin() + range.last + 1});
-        if (resampled.rows() != range.count() || resampled.cols() < 2 || !resampled.allFinite())
+        if (resampled.rows() != range.count() || resampled.cols() < 2 ||
+            !std::all_of(resampled.data(), resampled.data() + resampled.size(),
+                         [](double value) { return std::isfinite(value); }))
             refuse("resamples of the structure function", "", "finite, a row for every lag, two columns or more");
     }
     set_fractal(result, line, log, *fitter, resampled, spacing, options);

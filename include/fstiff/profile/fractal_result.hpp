@@ -124,14 +124,17 @@ namespace fstiff::inline v0_1::detail {
 /// Whether ln S2 bends: its quadratic or its cubic term, each compared with its own sampling error.
 template <Real F>
 bool is_curved(const LineFitter<F>& fitter, const LogStructure<F>& log, const IndexRange& range) {
+    const F middle = (log.lag[range.first] + log.lag[range.last]) / 2;
     const Vector<F> x =
-        log.lag.segment(range.first, range.count()).array() - (log.lag[range.first] + log.lag[range.last]) / 2;
+        math::vector_of<F>(range.count(), [&](Eigen::Index i) { return log.lag[range.first + i] - middle; });
     const auto bends = [&](Eigen::Index degree, F change_of_slope) {  // that one of the term gives
         Matrix<F> powers(x.size(), degree + 1);
-        for (Eigen::Index k = 0; k <= degree; ++k) powers.col(k) = x.array().pow(static_cast<F>(k)).matrix();
-        Vector<F> row = Vector<F>::Zero(log.lag.size());
-        row.segment(range.first, range.count()) = math::PivotedQr<F>(powers).solver().row(degree).transpose();
-        const F bend = std::abs(row.dot(fitter.y()));
+        for (Eigen::Index k = 0; k <= degree; ++k) math::raise(x.data(), static_cast<F>(k), &powers(0, k), x.size());
+        const Matrix<F> solver = math::PivotedQr<F>(powers).solver();
+        const Vector<F> row = math::vector_of<F>(log.lag.size(), [&](Eigen::Index i) {
+            return i >= range.first && i <= range.last ? solver(degree, i - range.first) : F(0);
+        });
+        const F bend = std::abs(math::dot_in_lanes(row.data(), fitter.y().data(), row.size()));
         return bend * change_of_slope > F(0.2) && bend > 3 * std::sqrt(fitter.covariance_of(row, row, range));
     };
     const F width = x[x.size() - 1] - x[0];
@@ -161,8 +164,9 @@ template <Real F>
 FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention convention, F gamma) {
     FractalLine<F> fractal;
     fractal.dimension = 2 - line.slope / 2;
-    fractal.dimension_row = -line.slope_row / 2;
-    fractal.log_g_row = Vector<F>::Zero(line.slope_row.size());
+    const Eigen::Index size = line.slope_row.size();
+    fractal.dimension_row = math::vector_of<F>(size, [&](Eigen::Index i) { return -line.slope_row[i] / 2; });
+    fractal.log_g_row = Vector<F>::Zero(size);
     if (!(fractal.dimension > F(1) && fractal.dimension < F(2))) return fractal;
     // of D and ln(S2/lag^2) at the reference lag
     const F level = line.level - 2 * line.reference;
@@ -175,7 +179,8 @@ FractalLine<F> fractal_line(const LogFit<F>& line, StructureConvention conventio
     const F slope = (log_g(fractal.dimension + nearby) - log_g(fractal.dimension - nearby)) / (2 * nearby);
     fractal.log_g_of_dimension = slope;
     fractal.log_g = log_g(fractal.dimension) + line.reference;
-    fractal.log_g_row = line.level_row / (2 * (fractal.dimension - 1)) + slope * fractal.dimension_row;
+    for (Eigen::Index i = 0; i < size; ++i)
+        fractal.log_g_row[i] = line.level_row[i] / (2 * (fractal.dimension - 1)) + slope * fractal.dimension_row[i];
     return fractal;
 }
 
@@ -221,19 +226,20 @@ void set_neighbours(FractalFit<T>& result, const FractalLine<double>& main, cons
         if (!neighbour.half && !fractal) continue;  // no window of a self-affine profile
         const double width = log.lag[lags.last] - log.lag[lags.first];
         if (!neighbour.half) weights += width;
-        const auto excess = [&](const Vector<double>& row, double difference) {
+        const auto excess = [&](const Vector<double>& a, const Vector<double>& b, double difference) {
+            const Vector<double> row = math::vector_of<double>(a.size(), [&](Eigen::Index i) { return a[i] - b[i]; });
             const double expected = fitter.covariance_of(row, row, range) * beyond_model;
             return std::pair{(std::max)(0.0, difference * difference - 2 * expected), std::sqrt(expected)};
         };
         const double off = other.dimension - main.dimension;
-        const auto [excess_d, expected] = excess(other.dimension_row - main.dimension_row, off);
+        const auto [excess_d, expected] = excess(other.dimension_row, main.dimension_row, off);
         neighbour.difference = static_cast<T>(off);
         neighbour.difference_error = static_cast<T>(expected);
         neighbour.disagrees = std::abs(off) > 2.5 * expected && std::abs(off) > 0.05;
         of_dimension += width * excess_d;
         if (fractal) {
             const double off_g = other.log_g - main.log_g;
-            const double excess_g = excess(other.log_g_row - main.log_g_row, off_g).first;
+            const double excess_g = excess(other.log_g_row, main.log_g_row, off_g).first;
             of_log_g += width * excess_g;
             product += width * std::copysign(std::sqrt(excess_d * excess_g), off * off_g);
         }

@@ -15,6 +15,7 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/text.hpp>
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/profile/structure_function.hpp>
 
 #include <Eigen/Core>
@@ -83,15 +84,16 @@ struct ReliableLags {
 
 /// Ordinary slope of y over x for the points first ... last.
 template <Real T>
-T regression_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index first, Eigen::Index last) {
+T regression_slope(const Vector<T>& x, const T* y, Eigen::Index first, Eigen::Index last) {
     const Eigen::Index count = last - first + 1;
-    const auto dx = (x.segment(first, count).array() - x.segment(first, count).mean()).eval();
-    return (dx * y.segment(first, count).array()).sum() / dx.square().sum();
+    const T mean = math::sum_in_lanes(&x[first], count) / static_cast<T>(count);
+    const Vector<T> dx = math::vector_of<T>(count, [&](Eigen::Index i) { return x[first + i] - mean; });
+    return math::dot_in_lanes(dx.data(), y + first, count) / math::dot_in_lanes(dx.data(), dx.data(), count);
 }
 
 /// Slope about point k, over the lags within a factor 1.84 of it and at least its two neighbours.
 template <Real T>
-T local_slope(const Vector<T>& x, const Vector<T>& y, Eigen::Index k) {
+T local_slope(const Vector<T>& x, const T* y, Eigen::Index k) {
     const T reach = std::log(T(1.84)) * T(1.001);
     Eigen::Index first = k, last = k;
     while (first > 0 && (x[k] - x[first - 1] <= reach || first == k)) --first;
@@ -119,7 +121,9 @@ struct LogStructure {
         return static_cast<F>(steps);
     }
     /// Upper limit of ln S2 in a window: three quarters of its saturation, allowing for 5 % of scatter.
-    F highest() const { return (std::min)(value.maxCoeff(), saturated) + F(0.05) - F(0.3); }
+    F highest() const {
+        return (std::min)(*std::max_element(value.data(), value.data() + value.size()), saturated) + F(0.05) - F(0.3);
+    }
 };
 
 /// Omits lags at which nothing differs (S2 = 0), which have no logarithm, and unreliable lags.
@@ -128,12 +132,11 @@ LogStructure<double> log_structure(const StructureFunction<T>& s, T spacing, std
                                    const ReliableLags<T>& reliable) {
     LogStructure<double> log;
     log.points = points;
-    std::vector<double> lag, value;
+    std::vector<double> value;
     for (std::size_t k = 0; k < s.size(); ++k) {
         if (!(s.value[k] > T(0) && reliable.holds(static_cast<T>(s.step[k]) * spacing))) continue;
         log.step.push_back(s.step[k]);
         log.pairs.push_back(s.pairs[k]);
-        lag.push_back(std::log(static_cast<double>(s.step[k])));
         value.push_back(std::log(static_cast<double>(s.value[k])) - 2 * std::log(static_cast<double>(spacing)));
     }
     const bool limited = reliable.from > T(0);
@@ -145,11 +148,13 @@ LogStructure<double> log_structure(const StructureFunction<T>& s, T spacing, std
     if (log.step.size() < min_window_lags)
         throw domain_error("profile has differing heights at " + std::to_string(log.step.size()) +
                            " lags: must be at least " + std::to_string(min_window_lags));
-    const auto size = static_cast<Eigen::Index>(lag.size());
-    log.lag = Eigen::Map<const Vector<double>>(lag.data(), size);
-    log.value = Eigen::Map<const Vector<double>>(value.data(), size);
-    log.slope.resize(size);
-    for (Eigen::Index k = 0; k < size; ++k) log.slope[k] = local_slope(log.lag, log.value, k);
+    const auto of_lags = [&](const auto& number) {
+        return math::vector_of<double>(static_cast<Eigen::Index>(value.size()), number);
+    };
+    const auto place = [](Eigen::Index k) { return static_cast<std::size_t>(k); };
+    log.lag = of_lags([&](Eigen::Index k) { return std::log(static_cast<double>(log.step[place(k)])); });
+    log.value = of_lags([&](Eigen::Index k) { return value[place(k)]; });
+    log.slope = of_lags([&](Eigen::Index k) { return local_slope(log.lag, log.value.data(), k); });
     return log;
 }
 
@@ -172,7 +177,9 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
                                          const IndexRange& within) {
     const Vector<T>&x = log.lag, &y = log.value, &local = log.slope;
     const Eigen::Index size = x.size();
-    const Vector<T> scatter = log.slope_error.size() == size ? Vector<T>(2 * log.slope_error) : Vector<T>::Zero(size);
+    const bool scatters = log.slope_error.size() == size;
+    const Vector<T> scatter =
+        math::vector_of<T>(size, [&](Eigen::Index k) { return scatters ? 2 * log.slope_error[k] : T(0); });
     const T from = std::log(log.shortest()) - T(1e-9), to = std::log(log.longest()) + T(1e-9);
     const T least = std::log(static_cast<T>(min_window_ratio)), min_slope = T(0.2), max_slope = T(1.95),
             highest = log.highest();
@@ -187,14 +194,12 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
             const T length = x[b] - x[a];
             if (length < least || length <= best_length || b - a + 1 < static_cast<Eigen::Index>(min_window_lags))
                 break;
-            const T mean = regression_slope(x, y, a, b);
-            const Eigen::Index count = b - a + 1;
-            const auto slopes = local.segment(a, count).array();
-            const auto by_chance = scatter.segment(a, count).array();
-            const bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
-                                  mean < max_slope && (slopes > min_slope / 2 - by_chance).all() &&
-                                  (slopes < max_slope + by_chance).all() &&
-                                  ((slopes - mean).abs() <= (by_chance.max)(tolerance)).all() && y[b] <= highest;
+            const T mean = regression_slope(x, y.data(), a, b);
+            bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
+                            mean < max_slope && y[b] <= highest;
+            for (Eigen::Index k = a; straight && k <= b; ++k)
+                straight = local[k] > min_slope / 2 - scatter[k] && local[k] < max_slope + scatter[k] &&
+                           std::abs(local[k] - mean) <= (std::max)(scatter[k], tolerance);
             if (straight) {
                 best = IndexRange{a, b};
                 best_length = length;

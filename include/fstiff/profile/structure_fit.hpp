@@ -44,8 +44,8 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
     const auto longest = static_cast<T>(step.back());
     const auto nodes = static_cast<Eigen::Index>(per_octave * std::log2(10 * pi * longest)) + 1;
     const auto size = static_cast<Eigen::Index>(step.size());
-    Matrix<T> shares(size, nodes);  // W_n C sqrt(dq)
-    Vector<T> means = Vector<T>::Zero(size);
+    Matrix<T> shares(nodes, size);  // W_n C sqrt(dq), a column for every lag
+    std::vector<T> means(step.size());
     for (Eigen::Index node = 0; node < nodes; ++node) {
         const T q = pi * std::exp2(-(static_cast<T>(node) + T(0.5)) / per_octave);
         const T width = q * std::log(T(2)) / per_octave;
@@ -53,22 +53,23 @@ Matrix<T> log_covariance(const std::vector<std::size_t>& step, const std::vector
         for (const int k : {1, 2, 3})
             spectrum +=
                 std::pow(static_cast<T>(k) * turn - q, -1 - power) + std::pow(static_cast<T>(k) * turn + q, -1 - power);
-        for (Eigen::Index row = 0; row < size; ++row) {
-            const T wave = 1 - std::cos(q * static_cast<T>(step[static_cast<std::size_t>(row)]));
-            shares(row, node) = 4 * wave * wave * spectrum * std::sqrt(width);
-            means[row] += shares(row, node) * std::sqrt(width);
+        for (std::size_t n = 0; n < step.size(); ++n) {
+            const T wave = 1 - std::cos(q * static_cast<T>(step[n]));
+            T& share = shares(node, static_cast<Eigen::Index>(n));
+            share = 4 * wave * wave * spectrum * std::sqrt(width);
+            means[n] += share * std::sqrt(width);
         }
     }
-    for (Eigen::Index row = 0; row < size; ++row) {
-        const auto n = static_cast<std::size_t>(row);
+    for (std::size_t n = 0; n < step.size(); ++n) {
         // both halves of the spectrum: V twice, the integral twice; at least one value for a lag
         const T triples_of_it = (std::max)(static_cast<T>(triples[n]), T(1));
-        shares.row(row) *= std::sqrt(turn / triples_of_it) / means[row];
+        const T factor = std::sqrt(turn / triples_of_it) / means[n];
+        for (Eigen::Index node = 0; node < nodes; ++node) shares(node, static_cast<Eigen::Index>(n)) *= factor;
     }
     Matrix<T> covariance(size, size);
-    const Matrix<T> columns = shares.transpose();
     for (Eigen::Index i = 0; i < size; ++i)
-        for (Eigen::Index j = 0; j <= i; ++j) covariance(i, j) = covariance(j, i) = columns.col(i).dot(columns.col(j));
+        for (Eigen::Index j = 0; j <= i; ++j)
+            covariance(i, j) = covariance(j, i) = math::dot_in_lanes(&shares(0, i), &shares(0, j), nodes);
     return covariance;
 }
 
@@ -113,19 +114,28 @@ Matrix<T> bootstrap_log_structure(const Profile<T>& profile, const std::vector<s
     return resampled;
 }
 
+/// Covariance of \p a * y and \p b * y for values y of the covariance \p of_values.
+template <Real T>
+T covariance_of_rows(const Vector<T>& a, const Vector<T>& b, const Matrix<T>& of_values) {
+    return math::dot_in_lanes(a.data(), math::product(of_values, b.data(), b.size()).data(), a.size());
+}
+
 /// Standard deviation of row * y for values y of this covariance.
 template <Real T>
 T expected_spread(const Vector<T>& row, const Matrix<T>& covariance) {
-    return std::sqrt((std::max)(T(0), row.dot(covariance.lazyProduct(row))));
+    return std::sqrt((std::max)(T(0), covariance_of_rows(row, row, covariance)));
 }
 
 /// Standard deviation of row * column over the columns of \p samples.
 template <Real T>
 T sample_spread(const Vector<T>& row, const Matrix<T>& samples) {
-    const Vector<T> values = samples.transpose().lazyProduct(row);
-    const T variance =
-        (values.array() - values.mean()).square().sum() / static_cast<T>(std::max<Eigen::Index>(1, values.size() - 1));
-    return std::sqrt(variance);
+    const Eigen::Index size = samples.cols();
+    Vector<T> values = math::vector_of<T>(
+        size, [&](Eigen::Index i) { return math::dot_in_lanes(&samples(0, i), row.data(), row.size()); });
+    const T mean = math::sum_in_lanes(values.data(), size) / static_cast<T>(size);
+    for (Eigen::Index i = 0; i < size; ++i) values[i] -= mean;
+    return std::sqrt(math::dot_in_lanes(values.data(), values.data(), size) /
+                     static_cast<T>(std::max<Eigen::Index>(1, size - 1)));
 }
 
 /// Missing share of S2 at the first lag when no wave is shorter than that.
@@ -223,9 +233,12 @@ public:
     /// Covariance of row_a * ln S2 and row_b * ln S2 by sampling alone, and with the uncertainty of a and b of \p band.
     T covariance_of(const Vector<T>& row_a, const Vector<T>& row_b, const IndexRange& band) const {
         const Matrix<T> ends = band_columns(band);
-        const T a = row_a.dot(ends.col(0)) * row_b.dot(ends.col(0)) * short_sd_ * short_sd_;
-        const T b = row_a.dot(ends.col(1)) * row_b.dot(ends.col(1)) * long_sd * long_sd;
-        return row_a.dot(covariance_.lazyProduct(row_b)) + a + b;
+        const auto share = [&](const Vector<T>& row, Eigen::Index end) {
+            return math::dot_in_lanes(row.data(), &ends(0, end), row.size());
+        };
+        const T a = share(row_a, 0) * share(row_b, 0) * short_sd_ * short_sd_;
+        const T b = share(row_a, 1) * share(row_b, 1) * long_sd * long_sd;
+        return covariance_of_rows(row_a, row_b, covariance_) + a + b;
     }
 
 private:
@@ -234,8 +247,14 @@ private:
     /// a and b at all lags: each is 1 at its own end of the band.
     Matrix<T> band_columns(const IndexRange& band) const {
         Matrix<T> columns(log_.lag.size(), 2);
-        columns.col(0) = ((-power_ * (log_.lag.array() - log_.lag[band.first])).min)(T(2)).exp();
-        columns.col(1) = (((4 - power_) * (log_.lag.array() - log_.lag[band.last])).min)(T(2)).exp();
+        const auto fill = [&](Eigen::Index end, T power, T origin) {
+            for (Eigen::Index i = 0; i < columns.rows(); ++i)
+                columns(i, end) = (std::min)(power * (log_.lag[i] - origin), T(2));
+            Eigen::Map<Eigen::Array<T, Eigen::Dynamic, 1>> column(&columns(0, end), columns.rows());
+            column = column.exp();
+        };
+        fill(0, -power_, log_.lag[band.first]);
+        fill(1, 4 - power_, log_.lag[band.last]);
         return columns;
     }
 
@@ -245,43 +264,67 @@ private:
         line.range = range;
         line.log_periodic = log_periodic;
         line.reference = (log_.lag[range.first] + log_.lag[range.last]) / 2;
-        const Vector<T> x = log_.lag.segment(range.first, count).array() - line.reference;
-        Matrix<T> columns(count, terms);
-        columns.col(0).setOnes();
-        columns.col(1) = x;
-        columns.block(0, 2, count, 2) = band_columns(band).block(range.first, 0, count, 2);
-        if (log_periodic)
-            for (const Eigen::Index harmonic : {1, 2}) {
-                const auto angle =
-                    (2 * static_cast<T>(harmonic) * std::numbers::pi_v<T> / log_gamma_ * x.array()).eval();
-                columns.col(2 + 2 * harmonic) = angle.cos();
-                columns.col(3 + 2 * harmonic) = angle.sin();
-            }
-        const Matrix<T> root = cholesky<T>(covariance_.block(range.first, range.first, count, count));
+        const Matrix<T> columns = columns_of(range, band, line.reference, terms), covariance = covariance_in(range);
+        const Matrix<T> root = cholesky<T>(covariance);
         // two more values, 0: the prior of a and b
-        Matrix<T> weighted = Matrix<T>::Zero(count + 2, terms);
-        weighted.topRows(count) = forward_substituted<T>(root, columns);
+        Matrix<T> weighted = Matrix<T>::Zero(count + 2, terms), identity = Matrix<T>::Zero(count, count);
+        const Matrix<T> divided = forward_substituted<T>(root, columns);
+        for (Eigen::Index term = 0; term < terms; ++term)
+            for (Eigen::Index i = 0; i < count; ++i) weighted(i, term) = divided(i, term);
         weighted(count, 2) = 1 / short_sd_;
         weighted(count + 1, 3) = 1 / long_sd;
-        const Matrix<T> inverse_root = forward_substituted<T>(root, Matrix<T>::Identity(count, count));
-        const Matrix<T> solver = math::PivotedQr<T>(weighted).solver().leftCols(count).lazyProduct(inverse_root);
-        const Vector<T> y = y_.segment(range.first, count) - expected_short_ * columns.col(2);
-        const Vector<T> solution = solver.lazyProduct(y);
+        for (Eigen::Index i = 0; i < count; ++i) identity(i, i) = 1;
+        const Matrix<T> inverse_root = forward_substituted<T>(root, std::move(identity));
+        const Matrix<T> of_weighted = math::PivotedQr<T>(weighted).solver();
+        Matrix<T> solver(terms, count);
+        for (Eigen::Index k = 0; k < count; ++k)
+            std::copy_n(math::product(of_weighted, &inverse_root(0, k), count).data(), terms, &solver(0, k));
+        const Vector<T> y = math::vector_of<T>(
+            count, [&](Eigen::Index i) { return y_[range.first + i] - expected_short_ * columns(i, 2); });
+        const Vector<T> solution = math::product(solver, y.data(), count);
         const auto spread = [&](Eigen::Index term) {
-            const Vector<T> row = solver.row(term).transpose();
-            return std::sqrt(row.dot(covariance_.block(range.first, range.first, count, count).lazyProduct(row)));
+            const Vector<T> row = math::vector_of<T>(count, [&](Eigen::Index i) { return solver(term, i); });
+            return std::sqrt(covariance_of_rows(row, row, covariance));
         };
         line.level = solution[0], line.slope = solution[1], line.short_waves = solution[2] + expected_short_,
         line.long_waves = solution[3];
         line.finite_band = std::abs(solution[2]) > 2 * spread(2) || std::abs(solution[3]) > 2 * spread(3);
-        const Vector<T> missed = y - columns.lazyProduct(solution);
-        const Vector<T> left = inverse_root.lazyProduct(missed);
-        line.residual = left.squaredNorm();
-        line.fitted = log_.value.segment(range.first, count) - missed;
-        line.level_row = line.slope_row = Vector<T>::Zero(log_.lag.size());
-        line.level_row.segment(range.first, count) = solver.row(0).transpose();
-        line.slope_row.segment(range.first, count) = solver.row(1).transpose();
+        Vector<T> missed = math::product(columns, solution.data(), terms);
+        for (Eigen::Index i = 0; i < count; ++i) missed[i] = y[i] - missed[i];
+        const Vector<T> left = math::product(inverse_root, missed.data(), count);
+        line.residual = math::dot_in_lanes(left.data(), left.data(), count);
+        line.fitted =
+            math::vector_of<T>(count, [&](Eigen::Index i) { return log_.value[range.first + i] - missed[i]; });
+        const auto row = [&](Eigen::Index term) {
+            return math::vector_of<T>(log_.lag.size(), [&](Eigen::Index i) {
+                return i >= range.first && i <= range.last ? solver(term, i - range.first) : T(0);
+            });
+        };
+        line.level_row = row(0), line.slope_row = row(1);
         return line;
+    }
+
+    /// The columns of the line, of a and b, and with 8 \p terms those of the harmonics, at the lags of \p range.
+    Matrix<T> columns_of(const IndexRange& range, const IndexRange& band, T reference, Eigen::Index terms) const {
+        Matrix<T> columns(range.count(), terms);
+        const Matrix<T> ends = band_columns(band);
+        for (Eigen::Index i = 0; i < range.count(); ++i) {
+            const Eigen::Index k = range.first + i;
+            const T x = log_.lag[k] - reference;
+            columns(i, 0) = 1, columns(i, 1) = x, columns(i, 2) = ends(k, 0), columns(i, 3) = ends(k, 1);
+            for (Eigen::Index harmonic = 1; 2 + 2 * harmonic < terms; ++harmonic) {
+                const T angle = 2 * static_cast<T>(harmonic) * std::numbers::pi_v<T> / log_gamma_ * x;
+                columns(i, 2 + 2 * harmonic) = std::cos(angle), columns(i, 3 + 2 * harmonic) = std::sin(angle);
+            }
+        }
+        return columns;
+    }
+
+    Matrix<T> covariance_in(const IndexRange& range) const {
+        Matrix<T> part(range.count(), range.count());
+        for (Eigen::Index k = 0; k < range.count(); ++k)
+            std::copy_n(&covariance_(range.first, range.first + k), range.count(), &part(0, k));
+        return part;
     }
 
     const LogStructure<T>& log_;
