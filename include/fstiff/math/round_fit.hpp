@@ -22,22 +22,24 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace fstiff::inline v0_1::math {
 
 enum class RoundShape { circle, sphere, cylinder };
 
 struct RoundSurface {
-    using Terms = Eigen::Matrix<double, 5, 1>;
+    using Terms = std::array<double, 5>;
 
     RoundShape shape{};
-    Terms terms = Terms::Zero();  ///< kappa, e, b_u, then b_v of a sphere, or phi and psi
+    Terms terms{};  ///< kappa, e, b_u, then b_v of a sphere, or phi and psi
 
-    [[nodiscard]] Eigen::Index count() const { return 3 + static_cast<Eigen::Index>(shape); }
+    [[nodiscard]] std::size_t count() const { return 3 + static_cast<std::size_t>(shape); }
     /// Above 0 where it is convex from above.
     [[nodiscard]] double curvature() const { return terms[0]; }
 
@@ -54,62 +56,87 @@ struct RoundSurface {
         const double p = kappa / 2 * squares + b_u * u + b_v * v + c * w + e;
         const double root = std::sqrt((std::max)(0.0, 1 + 2 * kappa * p)), distance = 2 * p / (1 + root);
         if (derivatives) {
-            *derivatives << (squares - distance * distance) / 2 + w * e / c, 1 + w * kappa / c, u - w * b_u / c,
-                v - w * b_v / c, 0;
             const double across = kappa * u + b_u, up = kappa * w + c;
-            if (rod) derivatives->tail<2>() << -across * s - up * sin_psi * u, -up * (z * sin_psi + s * cos_psi);
-            *derivatives /= root;
+            *derivatives = {(squares - distance * distance) / 2 + w * e / c, 1 + w * kappa / c, u - w * b_u / c,
+                            rod ? -across * s - up * sin_psi * u : v - w * b_v / c,
+                            rod ? -up * (z * sin_psi + s * cos_psi) : 0};
+            for (double& derivative : *derivatives) derivative /= root;
         }
         if (sine) *sine = std::hypot(kappa * u + b_u, kappa * v + b_v, sin_psi);
         return distance;
     }
 };
 
+/// Normal equations of a linear least-squares fit of N terms.
+template <std::size_t N>
+struct NormalEquations {
+    std::array<std::array<double, N>, N> matrix{};  ///< up to the diagonal
+    std::array<double, N> moments{};
+    double points = 0;
+
+    void add(const std::array<double, N>& slopes, double value) {
+        for (std::size_t i = 0; i < N; ++i) {
+            moments[i] += value * slopes[i];
+            for (std::size_t j = 0; j <= i; ++j) matrix[i][j] += slopes[i] * slopes[j];
+        }
+        points += 1;
+    }
+    /// Sums of the terms from \p first to below \p end over \p divisor, as a matrix and a vector.
+    [[nodiscard]] std::pair<Eigen::MatrixXd, Eigen::VectorXd> over(double divisor, std::size_t first,
+                                                                   std::size_t end) const {
+        const auto count = static_cast<Eigen::Index>(end - first);
+        std::pair<Eigen::MatrixXd, Eigen::VectorXd> result{Eigen::MatrixXd(count, count), Eigen::VectorXd(count)};
+        for (std::size_t i = first; i < end; ++i) {
+            const auto row = static_cast<Eigen::Index>(i - first);
+            result.second[row] = moments[i] / divisor;
+            for (std::size_t j = first; j < end; ++j)
+                result.first(row, static_cast<Eigen::Index>(j - first)) =
+                    matrix[(std::max)(i, j)][(std::min)(i, j)] / divisor;
+        }
+        return result;
+    }
+};
+
 /// A cylinder with the axis and the curvature of the least-squares quadratic surface of the points of \p each.
 template <class EachPoint>
 [[nodiscard]] RoundSurface cylinder_of_quadratic(const EachPoint& each) {
-    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 1> moments = Eigen::Matrix<double, 6, 1>::Zero();
-    each([&](double x, double y, double z) {
-        const Eigen::Matrix<double, 6, 1> powers{1, x, y, x * x, x * y, y * y};
-        normal += powers * powers.transpose();
-        moments += powers * z;
-    });
-    const Eigen::VectorXd c = PivotedQr<double>(normal, 1e-12).solve(moments);
+    NormalEquations<6> sums;
+    each([&](double x, double y, double z) { sums.add({1, x, y, x * x, x * y, y * y}, z); });
+    auto [normal, moments] = sums.over(1, 0, 6);
+    const Eigen::VectorXd c = PivotedQr<double>(std::move(normal), 1e-12).solve(std::move(moments));
     const double highest = std::atan2(c[4], c[3] - c[5]) / 2;  // direction of the algebraically greatest curvature
     const double axis = c[3] + c[5] > 0 ? highest + std::numbers::pi / 2 : highest;
     const double across = std::hypot(c[4], c[3] - c[5]) + std::abs(c[3] + c[5]);
     return {RoundShape::cylinder, {c[3] + c[5] > 0 ? -across : across, 0, 0, axis, 0}};
 }
 
-/// The \p shape that fits the points of \p each best; \p each(use) calls use(x, y, z) for every point. With a \p radius
-/// above 0 that is kept, on the side where a free fit has its own.
+/// The surface that fits the points of \p each best, from \p surface; \p each(use) calls use(x, y, z) for every point.
+/// With a \p radius above 0 that is kept, on the side where a free fit has its own.
 /// \throws domain_error for points that do not determine it, or whose normals are beyond 30 degrees.
 template <class EachPoint>
-[[nodiscard]] RoundSurface fit_round(RoundShape shape, double radius, const EachPoint& each) {
-    RoundSurface surface = shape == RoundShape::cylinder ? cylinder_of_quadratic(each) : RoundSurface{shape};
+[[nodiscard]] RoundSurface fit_round(RoundSurface surface, double radius, const EachPoint& each) {
     for (const bool kept : {false, true}) {
         if (kept && !(radius > 0)) break;
         if (kept) surface.terms[0] = std::copysign(1 / radius, surface.terms[0]);
-        const Eigen::Index count = surface.count() - (kept ? 1 : 0), first = kept ? 1 : 0;
+        const std::size_t first = kept ? 1 : 0, end = surface.count();
+        const auto count = static_cast<Eigen::Index>(end - first);
         double last = std::numeric_limits<double>::infinity();
         for (int iteration = 0; iteration < 50; ++iteration) {
-            Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-            RoundSurface::Terms slopes, moments = RoundSurface::Terms::Zero();
-            double points = 0;
+            NormalEquations<5> sums;
             each([&](double x, double y, double z) {
-                moments += surface.distance(x, y, z, &slopes) * slopes;
-                normal += slopes * slopes.transpose();
-                points += 1;
+                RoundSurface::Terms slopes;
+                const double distance = surface.distance(x, y, z, &slopes);
+                sums.add(slopes, distance);
             });
-            const PivotedQr<double> solver(normal.block(first, first, count, count) / points, 1e-14);
+            auto [normal, moments] = sums.over(sums.points, first, end);
+            const PivotedQr<double> solver(std::move(normal), 1e-14);
             if (solver.rank() < count)
                 throw domain_error("surface whose points determine " + std::to_string(solver.rank()) + " of the " +
                                    std::to_string(count) +
                                    " terms of this form: must be curved, and more of it measured");
-            const Eigen::VectorXd step = solver.solve(moments.segment(first, count) / points);
-            surface.terms.segment(first, count) -= step;
-            const double length = step.norm();
+            const Eigen::VectorXd step = solver.solve(std::move(moments));
+            for (std::size_t i = first; i < end; ++i) surface.terms[i] -= step[static_cast<Eigen::Index>(i - first)];
+            const double length = std::sqrt(dot_in_lanes(step.data(), step.data(), count));
             if (!(length < last) && length < 1e-9) break;  // rounding is reached
             last = length;
         }
@@ -125,6 +152,12 @@ template <class EachPoint>
                            std::to_string(std::lround(std::asin((std::min)(1.0, steepest)) * 180 / std::numbers::pi)) +
                            " degrees from the height: must be at most 30 for this form; crop it");
     return surface;
+}
+
+/// The \p shape that fits the points of \p each best, as above.
+template <class EachPoint>
+[[nodiscard]] RoundSurface fit_round(RoundShape shape, double radius, const EachPoint& each) {
+    return fit_round(shape == RoundShape::cylinder ? cylinder_of_quadratic(each) : RoundSurface{shape}, radius, each);
 }
 
 }  // namespace fstiff::inline v0_1::math

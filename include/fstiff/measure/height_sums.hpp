@@ -18,9 +18,8 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/surface/moments.hpp>
 
-#include <Eigen/Core>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -56,7 +55,7 @@ enum class PeakCount { profile, summits, none };
 
 /// sigma, R, D_p, R_p, r, theta in the units of the sums: the unit of heights, and samples.
 template <Real S>
-using Estimates = Eigen::Array<S, 6, 1>;
+using Estimates = std::array<S, 6>;
 
 /// Estimates from the sums. R = D_p = 1 for sums without peaks; NaN or infinite where the sums have no value.
 template <Real S>
@@ -65,9 +64,13 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
     const S sigma = std::sqrt((std::max)(S(0), sums.square / sums.points - mean * mean));
     const S slope = std::sqrt(sums.triples.mean_square_slope());
     const S curvature = std::sqrt(sums.triples.mean_square_curvature());
-    Estimates<S> e;
-    e << sigma, S(1), S(1), sums.highest - mean, slope * (slope / (sigma * curvature)),
-        std::asin((std::min)(S(1), curvature / slope / 2));  // curvature = 2 slope is a zigzag, but for rounding
+    // curvature = 2 slope is a zigzag, but for rounding
+    Estimates<S> e{sigma,
+                   S(1),
+                   S(1),
+                   sums.highest - mean,
+                   slope * (slope / (sigma * curvature)),
+                   std::asin((std::min)(S(1), curvature / slope / 2))};
     if (count == PeakCount::profile) {
         const S share = static_cast<S>(sums.triples.peaks) / static_cast<S>(sums.triples.triples);
         e[1] = detail::radius_times_rms_curvature<S>() / curvature;
@@ -82,9 +85,26 @@ Estimates<S> estimates(const HeightSums<S>& sums, PeakCount count) {
 /// Standard deviations of the estimates, relative to the whole (for r and theta absolute), and their correlation.
 template <Real S>
 struct EstimateSpread {
-    Estimates<S> error = Estimates<S>::Zero();
-    Eigen::Matrix<S, 6, 6> correlation = Eigen::Matrix<S, 6, 6>::Identity();
+    using Square = std::array<Estimates<S>, 6>;
+
+    Estimates<S> error{};
+    Square correlation{};
     std::size_t blocks{};
+
+    EstimateSpread() {
+        for (std::size_t i = 0; i < 6; ++i) correlation[i][i] = 1;
+    }
+    /// Sets both from \p covariance; an error up to \p least is 0, and has no correlation.
+    void set(const Square& covariance, S least) {
+        for (std::size_t i = 0; i < 6; ++i) {
+            error[i] = std::sqrt(covariance[i][i]);
+            if (!(error[i] > least)) error[i] = 0;
+        }
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j)
+                if (const S product = error[i] * error[j]; i != j && product > S(0))
+                    correlation[i][j] = std::clamp(covariance[i][j] / product, S(-1), S(1));
+    }
 };
 
 /// Resamples of \p cells, drawn in runs of \p block neighbours, each as long as the whole.
@@ -97,7 +117,6 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     HeightSums<S> total;
     for (const auto& cell : cells) total.add(cell);
     const Estimates<S> estimate = estimates(total, count);
-    const auto known = estimate.isFinite().eval();
     Estimates<S> unit = estimate;
     unit[4] = unit[5] = S(1);
     if (count == PeakCount::profile && !(estimate[2] > S(0))) unit[2] = S(1);  // no peak
@@ -109,25 +128,30 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
             const std::size_t start = draw_block();
             for (std::size_t i = start; i < start + block; ++i) sums.add(cells[i]);
         }
-        const Estimates<S> draw = known.select((estimates(sums, count) - estimate) / unit, S(0));
-        if (draw.isFinite().all()) draws.push_back(draw);  // skips draws without peaks
+        Estimates<S> draw = estimates(sums, count);
+        bool finite = true;  // else one without peaks
+        for (std::size_t i = 0; i < 6; ++i) {
+            draw[i] = std::isfinite(estimate[i]) ? (draw[i] - estimate[i]) / unit[i] : S(0);
+            finite = finite && std::isfinite(draw[i]);
+        }
+        if (finite) draws.push_back(draw);
     }
     if (spread.blocks < 2 || draws.size() < 2)
         detail::refuse("resamples of " + std::to_string(spread.blocks) + " parts of the surface that hold peaks",
                        draws.size(), "at least 2, of 2 parts at least, for an error");
-    Estimates<S> mean = Estimates<S>::Zero();
-    for (const auto& draw : draws) mean += draw / static_cast<S>(draws.size());
-    Eigen::Matrix<S, 6, 6> covariance = Eigen::Matrix<S, 6, 6>::Zero();
-    for (const auto& draw : draws) covariance += (draw - mean).matrix() * (draw - mean).matrix().transpose();
+    Estimates<S> mean{};
+    for (const auto& draw : draws)
+        for (std::size_t i = 0; i < 6; ++i) mean[i] += draw[i] / static_cast<S>(draws.size());
+    typename EstimateSpread<S>::Square covariance{};
+    for (const auto& draw : draws)
+        for (std::size_t i = 0; i < 6; ++i)
+            for (std::size_t j = 0; j < 6; ++j) covariance[i][j] += (draw[i] - mean[i]) * (draw[j] - mean[j]);
     const S blocks = static_cast<S>(spread.blocks);
     const S few = math::student_quantile(math::normal_95<S>, static_cast<int>(blocks) - 1) / math::normal_95<S>.value;
-    covariance *= few * few * blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
-    spread.error = covariance.diagonal().array().sqrt();
-    spread.error = (spread.error > S(1e-12)).select(spread.error, S(0));  // the rounding of sums that do not vary
-    for (Eigen::Index i = 0; i < 6; ++i)
-        for (Eigen::Index j = 0; j < 6; ++j)
-            if (const S product = spread.error[i] * spread.error[j]; i != j && product > S(0))
-                spread.correlation(i, j) = std::clamp(covariance(i, j) / product, S(-1), S(1));
+    const S share = few * few * blocks / (blocks - 1) / static_cast<S>(draws.size() - 1);
+    for (auto& row : covariance)
+        for (S& product : row) product *= share;
+    spread.set(covariance, S(1e-12));  // the rounding of sums that do not vary
     return spread;
 }
 

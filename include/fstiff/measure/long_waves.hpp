@@ -15,6 +15,7 @@
 /// Accuracy    quantile of ln sigma 1 % for v >= 4, 9 % at v = 2; waves of 15 half periods are low by 4 % due to the
 ///             width of 64 parts (tests/measure/long_waves_test.cpp)
 
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/height_sums.hpp>
 
@@ -69,24 +70,27 @@ T variance_of_power_law(T share, bool map) {
 /// \p mean_square is the mean square height.
 template <Real T>
 LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>& parts, T mean_square) {
-    using Waves = Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic>;
     constexpr int most = long_half_periods;
-    const auto cosines = [](Eigen::Index points) {
-        return Waves::NullaryExpr(points, most,
-                                  [points](Eigen::Index j, Eigen::Index k) {
-                                      const T angle = std::numbers::pi_v<T> * static_cast<T>(k * (2 * j + 1)) /
-                                                      static_cast<T>(2 * points);
-                                      return k < points ? std::cos(angle) * (k > 0 ? std::numbers::sqrt2_v<T> : T(1))
-                                                        : T(0);
-                                  })
-            .eval();
+    using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+    const auto cosines = [&](Eigen::Index points) {
+        Matrix values(points, most);
+        for (Eigen::Index k = 0; k < most; ++k)
+            for (Eigen::Index j = 0; j < points; ++j) {
+                const T angle = std::numbers::pi_v<T> * static_cast<T>(k * (2 * j + 1)) / static_cast<T>(2 * points);
+                values(j, k) = k < points ? std::cos(angle) * (k > 0 ? std::numbers::sqrt2_v<T> : T(1)) : T(0);
+            }
+        return values;
     };
-    const Waves amplitude = cosines(parts.rows())
-                                .matrix()
-                                .transpose()
-                                .lazyProduct(parts.matrix())
-                                .lazyProduct(cosines(parts.cols()).matrix()) /
-                            static_cast<T>(parts.size());
+    const Matrix down = cosines(parts.rows()), across = cosines(parts.cols());
+    Matrix along_columns(most, parts.cols());
+    for (Eigen::Index i = 0; i < parts.cols(); ++i)
+        for (Eigen::Index k = 0; k < most; ++k)
+            along_columns(k, i) = math::dot_in_lanes(&down(0, k), &parts(0, i), parts.rows());
+    Matrix amplitude(most, most);
+    for (Eigen::Index x = 0; x < most; ++x) {
+        const auto waves = math::product(along_columns, &across(0, x), parts.cols());
+        for (Eigen::Index y = 0; y < most; ++y) amplitude(y, x) = waves[y] / static_cast<T>(parts.size());
+    }
     T heights = 0, squares = 0;
     for (int y = 0; y < most; ++y)
         for (int x = 0; x < most; ++x) {
@@ -96,7 +100,10 @@ LongWaveShare<T> long_waves(const Eigen::Array<T, Eigen::Dynamic, Eigen::Dynamic
         }
     LongWaveShare<T> result;
     result.share = (std::min)(heights, T(1));
-    result.squares = amplitude.topRows(parts.rows() > 1 ? most : 1).array().square() / mean_square;
+    result.squares.resize(parts.rows() > 1 ? most : 1, most);
+    for (Eigen::Index x = 0; x < most; ++x)
+        for (Eigen::Index y = 0; y < result.squares.rows(); ++y)
+            result.squares(y, x) = amplitude(y, x) * amplitude(y, x) / mean_square;
     const T e = 2 * squares / 3, of_waves = e < T(0.5) ? e / (1 - e) : T(1);
     const bool map = parts.rows() > 1;
     const T of_share = (std::min)(variance_of_power_law(result.share, map), 4 * of_waves);
@@ -115,7 +122,8 @@ LongWaveShare<T> long_waves(Eigen::Index rows, Eigen::Index columns, T mean_squa
     for (Eigen::Index j = 0; j < rows; ++j)
         for (Eigen::Index i = 0; i < columns; ++i)
             if (const T z = height(j, i); !std::isnan(z)) parts(j * down / rows, i * across / columns) += z;
-    parts *= static_cast<T>(parts.size()) / static_cast<T>(rows) / static_cast<T>(columns);
+    const T share = static_cast<T>(parts.size()) / static_cast<T>(rows) / static_cast<T>(columns);
+    for (Eigen::Index k = 0; k < parts.size(); ++k) parts.data()[k] *= share;
     return long_waves(parts, mean_square);
 }
 
@@ -124,16 +132,13 @@ template <Real T>
 void add_long_waves(EstimateSpread<T>& spread, const Estimates<T>& estimate, const LongWaveShare<T>& waves) {
     const T more = std::expm1(waves.error * waves.error) - spread.error[0] * spread.error[0], r = estimate[4];
     if (!(more > T(0) && std::isfinite(r))) return;
-    Eigen::Matrix<T, 6, 6> covariance =
-        (spread.error.matrix() * spread.error.matrix().transpose()).cwiseProduct(spread.correlation);
-    covariance(0, 0) += more;
-    covariance(4, 4) += r * r * more;
-    covariance(0, 4) -= r * more, covariance(4, 0) -= r * more;
-    spread.error = covariance.diagonal().array().sqrt();
-    for (Eigen::Index i = 0; i < 6; ++i)
-        for (Eigen::Index j = 0; j < 6; ++j)
-            if (const T product = spread.error[i] * spread.error[j]; i != j && product > T(0))
-                spread.correlation(i, j) = std::clamp(covariance(i, j) / product, T(-1), T(1));
+    auto covariance = spread.correlation;
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = 0; j < 6; ++j) covariance[i][j] *= spread.error[i] * spread.error[j];
+    covariance[0][0] += more;
+    covariance[4][4] += r * r * more;
+    covariance[0][4] -= r * more, covariance[4][0] -= r * more;
+    spread.set(covariance, T(0));
 }
 
 }  // namespace fstiff::inline v0_1::detail

@@ -85,7 +85,7 @@ template <Real T>
 template <Real T>
 void store_sums(SurfaceParameters<T>& result, const Estimates<double>& estimate, const EstimateSpread<double>& spread,
                 double unit, double dx, double dy) {
-    const auto measured = [&](Eigen::Index i, double scale) {
+    const auto measured = [&](std::size_t i, double scale) {
         return Measurement<T>{static_cast<T>(estimate[i] * scale),
                               static_cast<T>(estimate[i] * scale * spread.error[i])};
     };
@@ -94,11 +94,9 @@ void store_sums(SurfaceParameters<T>& result, const Estimates<double>& estimate,
     result.peak_density = measured(2, 1 / dx / dy);
     result.max_peak_height = measured(3, unit);
     result.blocks = spread.blocks;
-    constexpr std::array<Eigen::Index, 5> mine{0, 1, 2, 4, 5};  // without R_p, whose place in Parameter is that of D
-    for (const Eigen::Index i : mine)
-        for (const Eigen::Index j : mine)
-            result.correlation[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                static_cast<T>(spread.correlation(i, j));
+    constexpr std::array<std::size_t, 5> mine{0, 1, 2, 4, 5};  // without R_p, whose place in Parameter is that of D
+    for (const std::size_t i : mine)
+        for (const std::size_t j : mine) result.correlation[i][j] = static_cast<T>(spread.correlation[i][j]);
     const T r = static_cast<T>(estimate[4]), theta = static_cast<T>(estimate[5]);
     if (!std::isfinite(r) || !(theta > T(0)))
         result.why_no_peaks = "curvature of neighbouring points along x = 0: must be greater than 0 for r and theta";

@@ -13,6 +13,7 @@
 /// Valid       surfaces without their mean plane (line) or a form of higher degree, missing points allowed
 /// Accuracy    shares 0.02, place of a step along x or y one part (tests/measure/plain_form_test.cpp)
 
+#include <fstiff/math/decompositions.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
@@ -120,21 +121,33 @@ namespace fstiff::inline v0_1::detail {
 /// Parts of a surface: their terms, orthonormal with the root of their points as weight, and weighted heights.
 template <Real T>
 struct FormParts {
-    Eigen::Array<T, Eigen::Dynamic, 1> u, v, weight, height;
-    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> terms;
-    std::vector<int> degree;  ///< of each term
+    using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    using Columns = Eigen::Map<const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>>;
+
+    Vector u, v, weight, height;
+    std::vector<T> terms;     ///< one after the other
+    std::vector<int> degree;  ///< of each term, rising
+
+    /// What the first \p count terms leave of \p f.
+    [[nodiscard]] Vector without(const Vector& f, Eigen::Index count) const {
+        const Columns columns(terms.data(), f.size(), count);
+        const Vector shares = columns.transpose() * f, sum = columns * shares;
+        return math::vector_of<T>(f.size(), [&](Eigen::Index i) { return f[i] - sum[i]; });
+    }
 
     /// Orthonormal terms up to \p most; those that the points do not determine are left out.
     void add_terms(int most, bool map) {
-        terms.resize(u.size(), 0);
         for (int total = 0; total <= most; ++total)
             for (int l = 0; l <= (map ? total : 0); ++l) {
-                Eigen::Matrix<T, Eigen::Dynamic, 1> f = (weight * u.pow(total - l) * v.pow(l)).matrix();
-                const T before = f.norm();
-                for (int pass = 0; pass < 2; ++pass) f -= terms * (terms.transpose() * f);
-                if (!(f.norm() > T(1e-4) * before)) continue;
-                terms.conservativeResize(Eigen::NoChange, terms.cols() + 1);
-                terms.col(terms.cols() - 1) = f.normalized();
+                Vector f(u.size()), of_v(u.size());
+                math::raise(u.data(), static_cast<T>(total - l), f.data(), f.size());
+                math::raise(v.data(), static_cast<T>(l), of_v.data(), f.size());
+                for (Eigen::Index i = 0; i < f.size(); ++i) f[i] = weight[i] * f[i] * of_v[i];
+                const T before = std::sqrt(math::dot_in_lanes(f.data(), f.data(), f.size()));
+                for (int pass = 0; pass < 2; ++pass) f = without(f, static_cast<Eigen::Index>(degree.size()));
+                const T norm = std::sqrt(math::dot_in_lanes(f.data(), f.data(), f.size()));
+                if (!(norm > T(1e-4) * before)) continue;
+                for (Eigen::Index i = 0; i < f.size(); ++i) terms.push_back(f[i] / norm);
                 degree.push_back(total);
             }
     }
@@ -143,28 +156,31 @@ struct FormParts {
         T sum = 0;
         for (std::size_t k = 0; k < degree.size(); ++k)
             if (degree[k] >= from && degree[k] <= to)
-                sum += std::pow(terms.col(static_cast<Eigen::Index>(k)).dot(height.matrix()), T(2));
+                sum += std::pow(math::dot_in_lanes(&terms[k * static_cast<std::size_t>(height.size())], height.data(),
+                                                   height.size()),
+                                T(2));
         return sum;
     }
     /// Square sum that a step at the angle \p angle explains beyond the terms up to \p removed, and the part before it.
     [[nodiscard]] std::pair<T, Eigen::Index> step(T angle, int removed) const {
         const auto base = std::count_if(degree.begin(), degree.end(), [&](int term) { return term <= removed; });
-        const auto low = terms.leftCols(base);
-        const Eigen::Array<T, Eigen::Dynamic, 1> along = u * std::cos(angle) + v * std::sin(angle),
-                                                 rest = (height.matrix() - low * (low.transpose() * height.matrix()));
+        const T across = std::cos(angle), down = std::sin(angle);
+        const Vector along = math::vector_of<T>(u.size(), [&](Eigen::Index i) { return u[i] * across + v[i] * down; }),
+                     rest = without(height, base);
         std::vector<Eigen::Index> order(static_cast<std::size_t>(u.size()));
         std::iota(order.begin(), order.end(), Eigen::Index(0));
         std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return along[a] < along[b]; });
-        Eigen::Matrix<T, Eigen::Dynamic, 1> shared = Eigen::Matrix<T, Eigen::Dynamic, 1>::Zero(base);
+        Vector shared = Vector::Zero(base);
         T heights = 0, points = 0;
-        const T total = weight.square().sum();
+        const T total = math::dot_in_lanes(weight.data(), weight.data(), weight.size());
         std::pair<T, Eigen::Index> best{T(0), 0};
         for (const Eigen::Index index : order) {
-            shared += weight[index] * low.row(index).transpose();
+            for (Eigen::Index k = 0; k < base; ++k)
+                shared[k] += weight[index] * terms[static_cast<std::size_t>(k * u.size() + index)];
             heights += weight[index] * rest[index], points += weight[index] * weight[index];
             if (points < total / 20 || points > total - total / 20) continue;
-            if (const T gain = heights * heights / (points - shared.squaredNorm()); gain > best.first)
-                best = {gain, index};
+            const T of_terms = math::dot_in_lanes(shared.data(), shared.data(), base);
+            if (const T gain = heights * heights / (points - of_terms); gain > best.first) best = {gain, index};
         }
         return best;
     }
@@ -185,8 +201,9 @@ template <Real T, class Height>
                 sum(j * down / rows, i * across / columns) += z, squares += z * z;
                 count(j * down / rows, i * across / columns) += T(1);
             }
-    squares -= sum.sum() * (sum.sum() / count.sum());
-    const Eigen::Index parts = (count > T(0)).count();
+    const T heights = math::sum_in_lanes(sum.data(), sum.size());
+    squares -= heights * (heights / math::sum_in_lanes(count.data(), count.size()));
+    const auto parts = std::count_if(count.data(), count.data() + count.size(), [](T points) { return points > T(0); });
     FormParts<T> form;
     for (auto* column : {&form.u, &form.v, &form.weight, &form.height}) column->resize(parts);
     Eigen::Index n = 0;

@@ -281,11 +281,12 @@ T remove_circle(Profile<T>& profile, std::type_identity_t<T> radius) {
     const double unit = static_cast<double>(profile.length()) / 2, mean = mean_height(profile), step = profile.spacing;
     const auto place = [&](std::size_t i) { return static_cast<double>(i) * step / unit - 1; };
     const auto height = [&](std::size_t i) { return (static_cast<double>(profile.heights[i]) - mean) / unit; };
-    const math::RoundSurface circle =
-        math::fit_round(math::RoundShape::circle, static_cast<double>(radius) / unit, [&](const auto& use) {
-            for (std::size_t i = 0; i < profile.size(); ++i)
-                if (!std::isnan(profile.heights[i])) use(place(i), 0.0, height(i));
-        });
+    const math::RoundSurface circle = math::fit_round(math::RoundSurface{math::RoundShape::circle},
+                                                      static_cast<double>(radius) / unit, [&](const auto& use) {
+                                                          for (std::size_t i = 0; i < profile.size(); ++i)
+                                                              if (!std::isnan(profile.heights[i]))
+                                                                  use(place(i), 0.0, height(i));
+                                                      });
     for (std::size_t i = 0; i < profile.size(); ++i)  // NaN stays
         profile.heights[i] = static_cast<T>(circle.distance(place(i), 0, height(i)) * unit);
     return static_cast<T>(unit / circle.curvature());
