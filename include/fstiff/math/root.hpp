@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -60,12 +61,18 @@ struct Bracket {
     }
 };
 
-/// The root of the monotone function \p f in [\p lower, \p upper], sought from \p guess (moved there when outside).
-/// \p f takes x and returns a pair {value, slope}. Does not allocate; throws only what f throws.
-template <Real T, class F>
-[[nodiscard]] RootResult<T> newton_bracketed(
-    F f, T lower, T upper, T guess, T tolerance,
-    int max_iterations = root_iterations) noexcept(std::is_nothrow_invocable_v<F&, T>) {
+/// A function {value, slope} of x that is called by its address: a search is compiled once for all of them.
+template <Real T>
+struct SlopedFunction {
+    void* function;
+    std::pair<T, T> (*call)(void*, T);
+
+    std::pair<T, T> operator()(T x) const { return call(function, x); }
+};
+
+/// newton_bracketed() of \p f.
+template <Real T>
+RootResult<T> newton_of(const SlopedFunction<T> f, T lower, T upper, T guess, T tolerance, int max_iterations) {
     if (!(std::isfinite(lower) && std::isfinite(upper) && lower <= upper)) return {guess, 0, 0, RootStatus::no_bracket};
 
     Bracket<T> bracket{lower, upper};
@@ -120,6 +127,17 @@ template <Real T, class F>
         x = next;
     }
     return {x, high - low, (std::max)(max_iterations, 0), RootStatus::not_converged};
+}
+
+/// The root of the monotone function \p f in [\p lower, \p upper], sought from \p guess (moved there when outside).
+/// \p f takes x and returns a pair {value, slope}. Does not allocate; throws only what f throws.
+template <Real T, class F>
+[[nodiscard]] RootResult<T> newton_bracketed(
+    F f, T lower, T upper, T guess, T tolerance,
+    int max_iterations = root_iterations) noexcept(std::is_nothrow_invocable_v<F&, T>) {
+    const SlopedFunction<T> sloped{
+        std::addressof(f), [](void* function, T x) -> std::pair<T, T> { return (*static_cast<F*>(function))(x); }};
+    return newton_of(sloped, lower, upper, guess, tolerance, max_iterations);
 }
 
 }  // namespace fstiff::inline v0_1::math
