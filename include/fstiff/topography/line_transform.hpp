@@ -138,7 +138,7 @@ public:
     }
 
     void forward() {
-        if (single_) return one_by_one(&LineTransform<T>::forward);
+        if (single_) return one_by_one(&LineTransform<double>::forward);
         for (std::size_t i = 0; i < points_; ++i) {
             V::load(&values_[i * lines]).store(&re_[place(i)]);
             V::load(&values_[i * lines + width]).store(&im_[place(i)]);
@@ -154,7 +154,7 @@ public:
     }
 
     void inverse() {
-        if (single_) return one_by_one(&LineTransform<T>::inverse);
+        if (single_) return one_by_one(&LineTransform<double>::inverse);
         const V share = V::all(1 / T(points_));
         for (std::size_t k = 0; k <= points_ / 2; ++k) {
             const std::size_t i = k * width, j = (k == 0 ? 0 : points_ - k) * width;
@@ -208,19 +208,21 @@ private:
         return {V::load(values + (k == 0 ? 0 : 2 * k - 1) * lines), pair ? V::load(values + 2 * k * lines) : none};
     }
 
-    void one_by_one(void (LineTransform<T>::*transform)(T*)) {
+    void one_by_one(void (LineTransform<double>::*transform)(double*)) {
         for (std::size_t l = 0; l < lines; ++l) {
             for (std::size_t i = 0; i < points_; ++i) line_[i] = values_[i * lines + l];
             ((*single_).*transform)(line_.data());
-            for (std::size_t i = 0; i < points_; ++i) values_[i * lines + l] = line_[i];
+            for (std::size_t i = 0; i < points_; ++i) values_[i * lines + l] = static_cast<T>(line_[i]);
         }
     }
 
     std::size_t points_;
     Edges edges_;
     std::optional<math::FftOfLines<T>> fft_;
-    std::optional<LineTransform<T>> single_;  ///< of lengths that kissfft does not take at once
-    std::vector<T> values_, re_, im_, line_;
+    /// Of lengths that kissfft does not take at once; of double for every T, so that it is compiled once.
+    std::optional<LineTransform<double>> single_;
+    std::vector<double> line_;
+    std::vector<T> values_, re_, im_;
     std::vector<std::complex<T>> turn_;
 };
 
