@@ -139,7 +139,7 @@ template <Real F, class Exists, class Sum, class Weight, class Value>
         previous = c;
         for (std::size_t i = 0; i < z.size(); ++i) delta[i] = exists(i) ? tukey_weight(z[i] - wave[i], c) : F(0);
     }
-    for (std::size_t i = 0; i < z.size(); ++i) result.left_out += exists(i) && delta[i] == F(0) ? 1 : 0;
+    for (std::size_t i = 0; i < z.size(); ++i) result.left_out += exists(i) && delta[i] == F(0) ? 1u : 0u;
     return result;
 }
 

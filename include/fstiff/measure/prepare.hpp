@@ -143,7 +143,7 @@ std::size_t apply_mask(T* heights, const PointMask& mask) {
     std::size_t taken = 0;
     for (Eigen::Index k = 0; k < mask.size(); ++k) {
         if (mask.data()[k]) continue;
-        taken += std::isnan(heights[k]) ? 0 : 1;
+        taken += std::isnan(heights[k]) ? 0u : 1u;
         heights[k] = std::numeric_limits<T>::quiet_NaN();
     }
     return taken;
