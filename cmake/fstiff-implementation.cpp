@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compiled in each target that links fstiff::fstiff without fstiff::double: docs/linking-cpp.md.
+// Compiled in each target that links fstiff::fstiff: docs/linking-cpp.md.
 #include <fstiff/implementation.hpp>

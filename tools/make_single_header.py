@@ -99,7 +99,7 @@ def main():
             taken.add(name)
         if "fstiff/answer/answer.hpp" in taken.seen:
             seen = set(taken.seen)
-            taken.lines += ["#ifdef FSTIFF_IMPLEMENTATION", "#undef FSTIFF_INLINE", "#define FSTIFF_INLINE"]
+            taken.lines += ["#ifdef FSTIFF_IMPLEMENTATION", "#undef FSTIFF_INLINE", "#define FSTIFF_INLINE FSTIFF_COMPILED_HERE"]
             taken.add("fstiff/answer/answer_inline.hpp")
             taken.add("fstiff/answer/measured_face_inline.hpp")
             taken.lines.append("#endif  // FSTIFF_IMPLEMENTATION")

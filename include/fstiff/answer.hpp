@@ -6,3 +6,7 @@
 /// fstiff/answer_inline.hpp into the file itself (docs/linking-cpp.md).
 
 #include <fstiff/answer/answer.hpp>
+
+#ifdef FSTIFF_COMPILED
+#include <fstiff/double/alignment.hpp>
+#endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of fstiff/answer.hpp, for one file of a program that does not link fstiff::double; with a second one it
-/// does not link. The CMake target fstiff::fstiff compiles such a file (docs/linking-cpp.md). Where fstiff::double is
-/// linked, this is empty.
+/// The functions of fstiff/answer.hpp, for one file of a program that does not link fstiff::double. The CMake target
+/// fstiff::fstiff compiles such a file (docs/linking-cpp.md). Where FSTIFF_COMPILED is defined, as by fstiff::double,
+/// this is empty.
 
 #include <fstiff/core/config.hpp>
 
@@ -13,7 +13,7 @@
 
 #ifndef FSTIFF_COMPILED
 #undef FSTIFF_INLINE
-#define FSTIFF_INLINE
+#define FSTIFF_INLINE FSTIFF_COMPILED_HERE
 #include <fstiff/answer/answer_inline.hpp>
 #include <fstiff/answer/measured_face_inline.hpp>
 #endif

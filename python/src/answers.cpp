@@ -62,7 +62,7 @@ domain_error with_own_name(const domain_error& error) {
 struct FaceInput {
     std::map<std::string, In> numbers;
     std::string process;
-    std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured;
+    std::vector<std::shared_ptr<const MeasuredFace>> measured;
 
     /// Whether a number of joint \p i is missing.
     [[nodiscard]] bool has_gap(std::size_t i) const {
@@ -75,10 +75,7 @@ struct FaceInput {
             if (const auto found = numbers.find(name); found != numbers.end())
                 if (const double one = found->second.data()[i]; !std::isnan(one)) face.*value = one;
         if (!process.empty()) face.process = detail::process_of(process, "process");
-        if (!measured.empty()) {
-            const auto& one = measured[measured.size() == 1 ? 0 : i];
-            face.measured = measured_face(std::shared_ptr<const Surface<double>>(one, &one->found));
-        }
+        if (!measured.empty()) face.measured = measured[measured.size() == 1 ? 0 : i];
         return face;
     }
 };
@@ -280,8 +277,11 @@ void add_answers(nb::module_& m) {
         .def(
             "__init__",
             [](FaceInput* self, std::map<std::string, In> numbers, std::string process,
-               std::vector<std::shared_ptr<const surface::MeasuredSurface>> measured) {
-                new (self) FaceInput{std::move(numbers), std::move(process), std::move(measured)};
+               const std::vector<std::shared_ptr<const surface::MeasuredSurface>>& measured) {
+                std::vector<std::shared_ptr<const MeasuredFace>> faces;
+                for (const auto& each : measured)
+                    faces.push_back(measured_face(std::shared_ptr<const Surface<double>>(each, &each->found)));
+                new (self) FaceInput{std::move(numbers), std::move(process), std::move(faces)};
             },
             nb::arg("numbers"), nb::arg("process"), nb::arg("measured"));
     m.def(

@@ -2,7 +2,7 @@
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
 
-#undef FSTIFF_INLINE  // as fstiff/implementation.hpp has it
+#undef FSTIFF_INLINE  // as fstiff/implementation.hpp
 #define FSTIFF_INLINE
 #include <fstiff/answer/answer_inline.hpp>
 #include <fstiff/answer/law_fits_inline.hpp>

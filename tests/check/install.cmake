@@ -42,7 +42,7 @@ endforeach()
 list(FILTER package EXCLUDE REGEX
      "^lib[^;]*/(libfstiff_io\\.a|pkgconfig/fstiff-io\\.pc|cmake/fstiff-io/fstiff-io-[a-z-]+\\.cmake)$|^share/doc/fstiff-io/LICENSE$")
 list(FILTER package EXCLUDE REGEX
-     "^share/cmake/fstiff/fstiff-[a-z0-9-]+\\.cmake$|^share/doc/fstiff/LICENSE$|^share/pkgconfig/fstiff\\.pc$")
+     "^share/cmake/fstiff/fstiff-([a-z0-9-]+\\.cmake|implementation\\.cpp)$|^share/doc/fstiff/LICENSE$|^share/pkgconfig/fstiff\\.pc$")
 if(package)
     message(FATAL_ERROR "installed beside the library: ${package}")
 endif()

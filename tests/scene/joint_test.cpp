@@ -407,6 +407,32 @@ TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on
     CHECK(test::refusal([&] { detail::run_pieces({}, 8, fails); }) == "3");
 }
 
+TEST_CASE("A measured face serves many joints, each with the digits that a face of its own gives") {
+    const auto surface = std::make_shared<const Surface<double>>(measure(
+        self_affine_map<double>({.hurst = 0.8, .rms = 0.4e-6, .longest_wavelength = 16e-6}, 48, 48, 0.5e-6, 0.5e-6)));
+    const auto shared = measured_face(surface);
+    const auto joint = [](const std::shared_ptr<const MeasuredFace>& face, int i) {
+        const Body metal{.elastic = {(70 + 5 * i) * 1e9, 0.3}, .hardness = 1e9};
+        return Joint{.face = {.measured = face}, .upper = metal, .lower = metal};
+    };
+    const AnswerOptions options{.samples = 20, .solve_map = false};
+    const auto same = [&](int i) {
+        const auto with = [&](const auto& face) {
+            return answer(joint(face, i), std::vector{1e6, 2e7}, options).points.back().stiffness;
+        };
+        const Banded by_shared = with(shared), by_own = with(measured_face(surface));
+        return by_shared.low == by_own.low && by_shared.value == by_own.value && by_shared.high == by_own.high;
+    };
+    for (int i = 0; i < 6; ++i) CHECK(same(i));  // more moduli than the face keeps contacts of
+    std::array<bool, 4> of_threads{};
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i) threads.emplace_back([&, i] { of_threads[static_cast<std::size_t>(i)] = same(i); });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(of_threads == std::array{true, true, true, true});
+    CHECK(test::refusal([] { (void)measured_face(std::shared_ptr<const Surface<double>>()); }) ==
+          "surface: must not be null");
+}
+
 TEST_CASE("A contact by the name of its law has K of the answer, and keeps what it is made of") {
     Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
     joint.upper.hardness = 1e9;

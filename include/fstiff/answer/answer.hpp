@@ -7,8 +7,7 @@
 ///     for (const fstiff::AnswerPoint& at : found.points)
 ///         if (at.ok()) use(at.pressure, at.stiffness.value, at.stiffness.low, at.stiffness.high, name_of(at.law));
 ///
-/// What `fstiff run` computes of a scene that names no law. The functions are inline where fstiff/answer.hpp is
-/// included; fstiff::double has them compiled.
+/// What `fstiff run` computes of a scene that names no law. Where the functions come from: docs/linking-cpp.md.
 ///
 /// Reference   answer/causes.hpp
 /// Units       SI

@@ -200,7 +200,7 @@ FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, c
 
 }  // namespace fstiff::inline v0_1
 
-// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
+// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 namespace fstiff::inline v0_1::detail {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/problem.hpp>
@@ -213,7 +213,7 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
 
 }  // namespace fstiff::inline v0_1::detail
 
-// The functions of answer/problem.hpp: inline, or compiled in fstiff::double.
+// The functions of answer/problem.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 namespace fstiff::inline v0_1::detail {
 

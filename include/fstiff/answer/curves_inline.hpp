@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/curves.hpp>
 
@@ -226,7 +226,8 @@ FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
     for (const ChosenLaw& law : choices)
         if (lack_of(law.row(), problem, at_separations) == Lack::nothing) question.available.push_back(law.which);
     const LawName law = detail::answering_law(question);
-    return std::find_if(choices.begin(), choices.end(), [&](const ChosenLaw& one) { return one.which == law; })->row();
+    return std::find_if(choices.begin(), choices.end(), [&](const ChosenLaw& each) { return each.which == law; })
+        ->row();
 }
 
 FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,

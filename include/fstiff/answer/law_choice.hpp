@@ -14,6 +14,7 @@
 #include <fstiff/core/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -30,6 +31,10 @@ template <Real T>
 [[nodiscard]] T weight_of_elements(T touching) {
     return std::clamp(T(0.5) + std::log(touching / T(min_points_in_contact)) / std::log(T(8)), T(0), T(1));
 }
+
+/// The laws that answer where no boundary elements do, the preferred ones first.
+inline constexpr std::array laws_of_numbers{LawName::plastic, LawName::hybrid, LawName::hertz,
+                                            LawName::greenwood_williamson};
 
 /// Facts on a contact at one pressure.
 template <Real T = double>
@@ -49,7 +54,7 @@ template <Real T>
 [[nodiscard]] LawName answering_law(const AnswerQuestion<T>& question) {
     if (question.can(LawName::boundary_elements) && question.points_in_contact >= T(min_points_in_contact))
         return LawName::boundary_elements;
-    for (const LawName law : {LawName::plastic, LawName::hybrid, LawName::hertz, LawName::greenwood_williamson})
+    for (const LawName law : laws_of_numbers)
         if (question.can(law)) return law;
     throw domain_error("no law answers: the surface must have a height and a gradient, or a map");
 }

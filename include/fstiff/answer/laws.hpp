@@ -9,7 +9,6 @@
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/parallel.hpp>
-#include <fstiff/core/text.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/quantity.hpp>

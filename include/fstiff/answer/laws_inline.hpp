@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/laws.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/laws.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/held_contacts.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A measured surface as the laws take it: measured_face() of answer/joint.hpp, inline, or compiled in fstiff::double.
+/// A measured surface as the laws take it: measured_face() of answer/joint.hpp, in fstiff/implementation.hpp and in
+/// fstiff::double.
 
 #include <fstiff/answer/measured_map_inline.hpp>
 #include <fstiff/measure/measure.hpp>
@@ -65,16 +66,14 @@ FSTIFF_INLINE Face face_as_found(const Surface<double>& surface,
 /// What measured_face() makes.
 class FaceOfSurface final : public MeasuredFace {
 public:
-    explicit FaceOfSurface(std::shared_ptr<const Surface<double>> surface)
-        : surface_(std::move(surface)), face_(std::make_shared<Face>(face_as_found(*surface_))) {
-        face_->measured = surface_;
+    explicit FaceOfSurface(std::shared_ptr<const Surface<double>> surface) : face_(face_as_found(*surface)) {
+        face_.measured = std::move(surface);
     }
-    const Surface<double>& surface() const override { return *surface_; }
-    Face face() const override { return *face_; }
+    const Surface<double>& surface() const override { return *face_.measured; }
+    Face face() const override { return face_; }
 
 private:
-    std::shared_ptr<const Surface<double>> surface_;
-    std::shared_ptr<Face> face_;
+    Face face_;
 };
 
 }  // namespace detail

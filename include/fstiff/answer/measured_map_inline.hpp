@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// A measured map as the laws take it: its summits, its bearing curve, its cuts, and boundary elements of it. The class
-/// of MapOfSurface: inline, or compiled in fstiff::double.
+/// of MapOfSurface: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/held_contacts.hpp>
 #include <fstiff/answer/problem.hpp>
@@ -13,10 +13,13 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -52,6 +55,7 @@ private:
         lock.unlock();
         auto value = make();
         lock.lock();
+        if (cache.size() >= 4 * maps_.size()) cache.clear();  // a face may serve joints of many moduli
         return cache.emplace(key, std::move(value)).first->second;
     }
 
@@ -93,7 +97,7 @@ FSTIFF_INLINE SpectrumShells<double> sum_of_spectra(const SpectrumShells<double>
 
 /// MapOfSurface of measured maps, or of the sums of two.
 class MeasuredMap final : public MapOfSurface {
-    /// The hybrid law of one shift.
+    /// The hybrid law of one shift; before contact(), which takes its type.
     [[nodiscard]] auto hybrid(const ContactInputs& inputs, std::size_t shift) const {
         const auto& [gamma, edges, modulus] =
             std::tie(inputs.options.gamma, inputs.options.edges, inputs.effective_modulus);
@@ -125,7 +129,8 @@ public:
                 return over_shifts([&](std::size_t shift) {
                     return MutualSummits<double>(summits[shift], inputs.effective_modulus, inputs.options.edges);
                 });
-            default: return boundary_elements(inputs);
+            case LawName::boundary_elements: return boundary_elements(inputs);
+            default: throw domain_error("law " + std::string(name_of(law)) + ": takes no map");
         }
     }
     [[nodiscard]] std::shared_ptr<const MapOfSurface> resampled(std::size_t shift, std::size_t a_side,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/curves.hpp: inline, or compiled in fstiff::double.
+/// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/laws.hpp>
@@ -158,7 +158,7 @@ FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma
 
 }  // namespace fstiff::inline v0_1::detail
 
-// The functions of answer/laws.hpp: inline, or compiled in fstiff::double.
+// The functions of answer/laws.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 namespace fstiff::inline v0_1::detail {
 

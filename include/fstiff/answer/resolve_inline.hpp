@@ -2,7 +2,7 @@
 #pragma once
 /// \file
 /// A joint as it is given becomes a Problem: what is written counts before what was measured, and that before a prior.
-/// Functions of answer/problem.hpp: inline, or compiled in fstiff::double.
+/// Functions of answer/problem.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/problem.hpp>
 

@@ -35,7 +35,13 @@
 
 #include <version>
 
-#define FSTIFF_INLINE inline  // functions of fstiff/answer; not in fstiff/implementation.hpp
+// Functions of fstiff/answer: inline, and in fstiff/implementation.hpp compiled whether or not the file uses them.
+#define FSTIFF_INLINE inline
+#if __has_cpp_attribute(gnu::used)
+#define FSTIFF_COMPILED_HERE [[gnu::used]] inline
+#else
+#define FSTIFF_COMPILED_HERE
+#endif
 
 // Marks functions that are rarely called, or that a program should hold once: a hint to compilers that support it.
 #if __has_cpp_attribute(gnu::cold)
