@@ -45,7 +45,9 @@ endfunction()
 # Standard headers and those of other libraries come first, as they do with windows.h.
 file(GLOB_RECURSE headers RELATIVE ${INCLUDE} ${INCLUDE}/*.hpp ${INCLUDE}/*.h)
 set(definition "")
-if(NOT PARTS)
+if(PARTS)
+    list(FILTER headers EXCLUDE REGEX "/implementation\\.hpp$")  # the same parts for another file
+else()
     list(FILTER headers EXCLUDE REGEX "_inline\\.hpp$")
     set(definition -DFSTIFF_COMPILED)  # declares what they define
 endif()
