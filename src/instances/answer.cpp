@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/double/integrals.hpp>
-#include <fstiff/double/surfaces.hpp>
+#include <fstiff/double/models.hpp>
 
 #undef FSTIFF_INLINE  // as fstiff/implementation.hpp
 #define FSTIFF_INLINE

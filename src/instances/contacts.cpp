@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstiff/double/integrals.hpp>  // extern: compiled in instances.cpp
-#include <fstiff/double/surfaces.hpp>
+#include <fstiff/double/models.hpp>  // extern: compiled in instances.cpp
 
 #undef FSTIFF_DOUBLE
 #define FSTIFF_DOUBLE template

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #define FSTIFF_DOUBLE template
-#include <fstiff/double/integrals.hpp>
-#include <fstiff/double/surfaces.hpp>
+#include <fstiff/double/models.hpp>
 
 namespace fstiff::inline v0_1 {
 

@@ -18,81 +18,6 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// Interface of a contact that ContactLaw::tabulate needs, with virtual functions: its tables are compiled once for
-/// all laws.
-class Model {
-public:
-    virtual ~Model() = default;
-    virtual ContactState<double> at_pressure(double pressure, Quantity quantities) const = 0;
-    virtual ContactState<double> at_separation(double separation, Quantity quantities) const = 0;
-    virtual LogSlope<double> log_pressure(double eta) const = 0;
-    virtual Estimate<double> log_stiffness(double eta) const = 0;
-};
-template <class Contact>
-class ModelOf final : public Model {
-public:
-    explicit ModelOf(Contact contact) : contact_(std::move(contact)) {}
-    ContactState<double> at_pressure(double pressure, Quantity quantities) const override {
-        return contact_.at_pressure(pressure, quantities);
-    }
-    ContactState<double> at_separation(double separation, Quantity quantities) const override {
-        return contact_.at_separation(separation, quantities);
-    }
-    LogSlope<double> log_pressure(double eta) const override { return contact_.log_pressure(eta); }
-    Estimate<double> log_stiffness(double eta) const override { return contact_.log_stiffness(eta); }
-
-private:
-    Contact contact_;
-};
-
-/// A fstiff::Contact over a Model.
-class ModelContact {
-public:
-    template <class Contact>
-    explicit ModelContact(const Contact& contact)
-        : model_(std::make_shared<ModelOf<Contact>>(contact)),
-          rms_height_(contact.rms_height()),
-          has_kinks_(detail::has_kinks(contact)),
-          bulk_compliance_(contact.bulk_compliance()),
-          interaction_(contact.interaction()) {}
-    ContactState<double> at_pressure(double pressure, Quantity quantities) const {
-        return model_->at_pressure(pressure, quantities);
-    }
-    ContactState<double> at_separation(double separation, Quantity quantities) const {
-        return model_->at_separation(separation, quantities);
-    }
-    ContactPoint<double> point_at_pressure(double pressure, Quantity quantities) const {
-        return ContactPoint<double>::of(at_pressure(pressure, quantities));
-    }
-    ContactPoint<double> point_at_separation(double separation, Quantity quantities) const {
-        return ContactPoint<double>::of(at_separation(separation, quantities));
-    }
-    LogSlope<double> log_pressure(double eta) const { return model_->log_pressure(eta); }
-    Estimate<double> log_stiffness(double eta) const { return model_->log_stiffness(eta); }
-    double rms_height() const { return rms_height_; }
-    bool has_kinks() const { return has_kinks_; }
-    double bulk_compliance() const { return bulk_compliance_; }
-    Interaction<double> interaction() const { return interaction_; }
-
-private:
-    std::shared_ptr<const Model> model_;
-    double rms_height_;
-    bool has_kinks_;
-    double bulk_compliance_;
-    Interaction<double> interaction_;
-};
-/// One whose K is a constant times -dp/dd.
-class ProportionalModelContact : public ModelContact {
-public:
-    template <class Contact>
-    explicit ProportionalModelContact(const Contact& contact)
-        : ModelContact(contact), stiffness_over_slope_(contact.stiffness_over_slope()) {}
-    double stiffness_over_slope() const { return stiffness_over_slope_; }
-
-private:
-    double stiffness_over_slope_;
-};
-
 /// Whether \p Contact is a mean over contacts that can be tabulated.
 template <class Contact>
 inline constexpr bool is_mean_of_tabulated = false;
@@ -111,10 +36,8 @@ public:
     }
     bool has_table() const override { return fstiff::Contact<Contact, double> || is_mean_of_tabulated<Contact>; }
     ContactLaw<double> tabulate(const LawRange<double>& range) const override {
-        if constexpr (ProportionalContact<Contact, double>)
-            return ContactLaw<double>::tabulate(ProportionalModelContact(contact_), range);
-        else if constexpr (fstiff::Contact<Contact, double>)
-            return ContactLaw<double>::tabulate(ModelContact(contact_), range);
+        if constexpr (fstiff::Contact<Contact, double>)
+            return ContactLaw<double>::tabulate(contact_, range);
         else if constexpr (is_mean_of_tabulated<Contact>)
             return contact_.tabulate(range);
         else

@@ -5,15 +5,11 @@
 /// that includes this, and is linked with fstiff::double, compiles in a quarter to an eighth of the time
 /// (docs/linking-cpp.md).
 
-#include <fstiff/asperity/laws.hpp>
-#include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
-#include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
-#include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/double/integrals.hpp>
+#include <fstiff/double/models.hpp>
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/identify/identify.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
@@ -21,31 +17,18 @@
 
 namespace fstiff::inline v0_1 {
 
-FSTIFF_DOUBLE class RoughContact<double, HertzLaw<double>>;
 FSTIFF_DOUBLE class RoughContact<double, FractalLaw<double>>;
 FSTIFF_DOUBLE class RoughContact<double, FractalConsistentLaw<double>>;
-FSTIFF_DOUBLE class RoughContact<double, PlasticLaw<double>>;
-FSTIFF_DOUBLE class RoughContact<double, JacksonGreenLaw<double>>;
-FSTIFF_DOUBLE class RoughContact<double, KogutEtsionLaw<double>>;
-FSTIFF_DOUBLE class PerssonContact<double>;
-FSTIFF_DOUBLE class SummitContact<double>;
 FSTIFF_DOUBLE class ContactLaw<double>;
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const RoughContact<double, HertzLaw<double>>&,
                                                               const LawRange<double>&);
 
-FSTIFF_DOUBLE class HybridContact<double, SummitContact<double>, HandOver<double>>;
 FSTIFF_DOUBLE HybridContact<double, SummitContact<double>, HandOver<double>> hybrid_of_map(const HeightMap<double>&,
                                                                                            double, Edges);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
     const HybridContact<double, SummitContact<double>, HandOver<double>>&, const LawRange<double>&);
-FSTIFF_DOUBLE class HybridContact<double, detail::BandHills<double>>;
-FSTIFF_DOUBLE HybridContact<double, detail::BandHills<double>> hybrid_of_band(const BandSpectrum<double>&, double,
-                                                                              double);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const HybridContact<double, detail::BandHills<double>>&,
                                                               const LawRange<double>&);
-FSTIFF_DOUBLE class ScaledContact<double, HybridContact<double, detail::BandHills<double>>>;
-FSTIFF_DOUBLE ScaledContact<double, HybridContact<double, detail::BandHills<double>>> hybrid_of_band(
-    const BandSpectrum<double>&, const BearingSlope<double>&, double, double);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
     const ScaledContact<double, HybridContact<double, detail::BandHills<double>>>&, const LawRange<double>&);
 
@@ -59,10 +42,5 @@ FSTIFF_DOUBLE TangentialLaw<double>::Response<2> TangentialLaw<double>::step(con
 
 FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, HertzLaw<double>>&, double);
 FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, FractalLaw<double>>&, double);
-FSTIFF_DOUBLE class detail::CurveProblem<double>;
-FSTIFF_DOUBLE class detail::FitSummary<double>;
-FSTIFF_DOUBLE math::LeastSquaresFit<double> math::least_squares(const Eigen::VectorXd&, Eigen::Index,
-                                                                const detail::FitCurve<double>&,
-                                                                const math::LeastSquaresOptions<double>&);
 
 }  // namespace fstiff::inline v0_1

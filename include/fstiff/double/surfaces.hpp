@@ -90,4 +90,19 @@ FSTIFF_DOUBLE HeightMap<double> self_affine_map(const SelfAffineOptions<double>&
                                                 double);
 FSTIFF_DOUBLE class WeierstrassMandelbrot<double>;
 
+// What those are made of, and many other files with them.
+FSTIFF_DOUBLE class math::ComplexFft<double>;
+FSTIFF_DOUBLE class math::RealFft<double>;
+FSTIFF_DOUBLE class math::FftOfLines<double>;
+FSTIFF_DOUBLE class math::FftOfLines<float>;
+FSTIFF_DOUBLE class detail::LinesTransform<double>;
+FSTIFF_DOUBLE class detail::LinesTransform<float>;
+FSTIFF_DOUBLE class math::PivotedQr<double>;
+FSTIFF_DOUBLE math::SymmetricEigen<double> math::symmetric_eigen(Eigen::MatrixXd);
+FSTIFF_DOUBLE class math::GaussianSmoother<double>;
+FSTIFF_DOUBLE void detail::validate_map(const double*, Eigen::Index, Eigen::Index, double, double, Eigen::Index);
+FSTIFF_DOUBLE Profile<double> detail::detrend(const Profile<double>&, Form);
+FSTIFF_DOUBLE class detail::LineFitter<double>;
+FSTIFF_DOUBLE class BearingSlope<double>;
+
 }  // namespace fstiff::inline v0_1

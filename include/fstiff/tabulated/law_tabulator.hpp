@@ -3,9 +3,9 @@
 /// \file
 /// Tables of a smooth tabulated law: Chebyshev series of log p by sections, its inverse, and polynomials cut from both.
 ///
-/// The contact gives log_pressure(eta) with the slope, bulk_compliance() in series, rms_height() and
-/// stiffness_over_slope(), or else log_stiffness(eta), which is interpolated as log p is. The error is measured against
-/// the model between the nodes. A law with kinks is made by tabulated/kinked_tabulator.
+/// The model gives log_pressure(eta) with the slope, the bulk in series, the rms height and K over -dp/dd, or else
+/// log_stiffness(eta), which is interpolated as log p is. The error is measured against the model between the nodes. A
+/// law with kinks is made by tabulated/kinked_tabulator.
 ///
 /// Units       SI; eta is the separation over the rms height
 /// Valid       as tabulated/contact_law
@@ -23,17 +23,49 @@
 
 namespace fstiff::inline v0_1::detail {
 
-/// The work of ContactLaw::tabulate, in the order of its functions.
+/// What the tables ask of a contact, with virtual functions: they are compiled once for all contacts.
+template <Real T>
+struct LawModel {
+    virtual ~LawModel() = default;
+    virtual ContactState<T> at_pressure(T pressure, Quantity quantities) const = 0;
+    virtual ContactState<T> at_separation(T separation, Quantity quantities) const = 0;
+    virtual LogSlope<T> log_pressure(T eta) const = 0;
+    virtual Estimate<T> log_stiffness(T eta) const = 0;
+
+    T rms_height{}, bulk_compliance{};
+    T stiffness_over_slope{};  ///< K over -dp/dd, 0 where that is no constant
+    bool has_kinks{};
+};
+
 template <Real T, class Contact>
+struct LawModelOf final : LawModel<T> {
+    explicit LawModelOf(const Contact& contact) : contact_(contact) {
+        this->rms_height = contact.rms_height();
+        this->bulk_compliance = contact.bulk_compliance();
+        if constexpr (ProportionalContact<Contact, T>) this->stiffness_over_slope = contact.stiffness_over_slope();
+        this->has_kinks = detail::has_kinks(contact);
+    }
+    ContactState<T> at_pressure(T pressure, Quantity quantities) const override {
+        return contact_.at_pressure(pressure, quantities);
+    }
+    ContactState<T> at_separation(T separation, Quantity quantities) const override {
+        return contact_.at_separation(separation, quantities);
+    }
+    LogSlope<T> log_pressure(T eta) const override { return contact_.log_pressure(eta); }
+    Estimate<T> log_stiffness(T eta) const override { return contact_.log_stiffness(eta); }
+
+private:
+    Contact contact_;
+};
+
+/// The work of ContactLaw::tabulate, in the order of its functions.
+template <Real T>
 class LawTabulator {
 public:
-    LawTabulator(const Contact& contact, T min_pressure, T max_pressure) : contact_(contact) {
+    LawTabulator(const LawModel<T>& model, T min_pressure, T max_pressure) : model_(model) {
         law_.min_pressure = min_pressure;
         law_.max_pressure = max_pressure;
-        if constexpr (proportional)
-            law_.stiffness_over_slope = contact.stiffness_over_slope();
-        else
-            law_.stiffness_over_slope = T(0);
+        law_.stiffness_over_slope = model.stiffness_over_slope;
         law_.stiffness = law_.separation = math::BinaryPieces<T>(min_pressure, max_pressure);
         law_.evaluations = 1;
         middle_ = std::sqrt(min_pressure) * std::sqrt(max_pressure);
@@ -45,7 +77,7 @@ public:
     };
     [[nodiscard]] Made tabulate() {
         interpolate_pressure();
-        if constexpr (!proportional) interpolate_stiffness();
+        if (!proportional_) interpolate_stiffness();
         cut_by_separation();
         law_.sum_energies();
         interpolate_eta();
@@ -56,7 +88,6 @@ public:
     }
 
 private:
-    static constexpr bool proportional = ProportionalContact<Contact, T>;
     static constexpr T epsilon = std::numeric_limits<T>::epsilon();
     static constexpr T pieces_per_e = sizeof(T) == 8 ? T(4) : T(1.5);  ///< a float's slope would be all rounding on 4
 
@@ -82,7 +113,7 @@ private:
     /// K at eta, from -dp/dd where it is a constant times that.
     template <class V>
     [[nodiscard]] V stiffness_of(const State<V>& state, const V& eta) const {
-        if constexpr (proportional)
+        if (proportional_)
             return state.minus_dp_dd * V::all(law_.stiffness_over_slope);
         else
             return stiffness_in_series(V::all(stiffness_unit_) * exp(log_stiffness_(eta)));
@@ -94,10 +125,10 @@ private:
     }
     /// K of the model itself at \p state, which is p of the model.
     [[nodiscard]] T true_stiffness(const State<One>& state, T eta) const {
-        if constexpr (proportional)
+        if (proportional_)
             return stiffness_of(state, One::all(eta)).p;
         else
-            return stiffness_in_series(One::all(std::exp(contact_.log_stiffness(eta).value))).p;
+            return stiffness_in_series(One::all(std::exp(model_.log_stiffness(eta).value))).p;
     }
 
     [[nodiscard]] Nodes nodes(T from, T to) const {
@@ -111,14 +142,14 @@ private:
     /// highest pressure to that of the lowest, and beyond as far as the outer pieces by pressure reach.
     void interpolate_pressure() {
         const auto end = [this](T pressure) {
-            return contact_.at_pressure(pressure, Quantity::pressure | Quantity::separation).eta;
+            return model_.at_pressure(pressure, Quantity::pressure | Quantity::separation).eta;
         };
         closest_ = end(law_.max_pressure);
         furthest_ = end(law_.min_pressure);
         // log p is concave in eta: 10 % more than the slope is enough; never so short that the slope is rounding
         const T beyond = T(0.13);  // log(9/8) and 10 %
         const T slack =
-            (std::max)(-beyond / contact_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
+            (std::max)(-beyond / model_.log_pressure(closest_).slope, T(0.1) * (1 - (furthest_ - closest_)));
         begin_ = closest_ - slack;
         end_ = furthest_ + slack;
         sections_ = static_cast<std::size_t>(std::ceil((end_ - begin_) / 3));
@@ -126,7 +157,7 @@ private:
         points_ = static_cast<std::size_t>(sizeof(T) == 8 ? 11 + 4 * section : 6 + 2 * section);
         const auto sample = [this, log_middle = std::log(middle_)](T eta) {
             ++law_.evaluations;
-            const LogSlope<T> p = contact_.log_pressure(eta);
+            const LogSlope<T> p = model_.log_pressure(eta);
             error_ = (std::max)(error_, p.error);
             return p.log - log_middle;
         };
@@ -139,7 +170,7 @@ private:
         T error = 0;
         const auto log_at = [&](T eta) {
             ++law_.evaluations;
-            const Estimate<T> k = contact_.log_stiffness(eta);
+            const Estimate<T> k = model_.log_stiffness(eta);
             require(std::isfinite(k.value), "stiffness", std::exp(k.value),
                     "finite and greater than 0 for a tabulated law");
             error = (std::max)(error, k.error);
@@ -158,7 +189,7 @@ private:
         const auto pieces = static_cast<Eigen::Index>(std::ceil(pieces_per_e * steepest * length)) + 1;
         const T width = length / T(pieces);
         law_.by_separation = math::UniformPieces<T>(from, high.separation.p, pieces);
-        if constexpr (!proportional) law_.own_stiffness = law_.by_separation;
+        if (!proportional_) law_.own_stiffness = law_.by_separation;
         law_.set_scales();
         shortest_change_ = steepest * width;
         T last = closest_;
@@ -167,7 +198,7 @@ private:
             const State<Nodes> state = at(eta);
             T* const c = row(law_.by_separation, i);
             lobatto_.fit(state.pressure).store(c);
-            if constexpr (!proportional) lobatto_.fit(stiffness_of(state, eta)).store(row(law_.own_stiffness, i));
+            if (!proportional_) lobatto_.fit(stiffness_of(state, eta)).store(row(law_.own_stiffness, i));
             // against the series the slope is worst at the ends of a piece
             std::array<T, math::Row::terms> tangent;
             (state.minus_dp_dd * Nodes::all(-width / 2)).store(tangent.data());
@@ -231,7 +262,7 @@ private:
         const auto worst = [&deviation](T difference) { deviation = (std::max)(deviation, std::abs(difference)); };
         for (std::size_t i = 0; i < checks; ++i) {
             const T eta = closest_ + (furthest_ - closest_) * (T(i) + T(0.37)) / T(checks);
-            const LogSlope<T> model = contact_.log_pressure(eta);
+            const LogSlope<T> model = model_.log_pressure(eta);
             const T p = std::clamp(std::exp(model.log), law_.min_pressure, law_.max_pressure);
             const auto truth = in_series(One::all(eta), One::all(p), One::all(model.slope));
             const T separation = truth.separation.p, k = true_stiffness(truth, eta);
@@ -241,7 +272,7 @@ private:
                 law_.at_separation(std::clamp(separation, law_.by_separation.begin, law_.by_separation.end));
             worst(point.pressure / p - 1);
             worst(point.stiffness / k - 1);
-            if constexpr (!proportional) worst(point.slope / truth.minus_dp_dd.p - 1);
+            if (!proportional_) worst(point.slope / truth.minus_dp_dd.p - 1);
         }
         // the points found most of it; between others it may be somewhat more, and a slope over a short piece of a
         // short range carries the rounding of the few digits in which p changes there
@@ -262,10 +293,11 @@ private:
                moves(law_.own_stiffness, T(1), T(-1));
     }
 
-    const Contact& contact_;
+    const LawModel<T>& model_;
+    const bool proportional_ = model_.stiffness_over_slope != T(0);
     LawTables<T> law_;
     const math::LobattoPiece<T, math::Row::terms>& lobatto_ = math::LobattoPiece<T, math::Row::terms>::get();
-    const T rms_ = contact_.rms_height(), bulk_ = contact_.bulk_compliance();
+    const T rms_ = model_.rms_height, bulk_ = model_.bulk_compliance;
     T middle_{};                                     ///< of the pressures
     const T close_enough_ = std::sqrt(epsilon) / 4;  ///< of Newton's method: the next step would be about step^2
     math::ChebyshevSections<T> log_pressure_;        ///< log(p/middle) against eta
@@ -281,22 +313,20 @@ private:
     T shortest_change_{};                ///< of log p over a piece by separation
 };
 
-/// The tables of \p contact: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not
+/// The tables of \p model: polynomials where K is smooth, parabolas where it has kinks or where polynomials are not
 /// monotone or off by more than 1e-3.
-template <Real T, class Contact>
-[[nodiscard]] LawTables<T> tables_of(const Contact& contact, T min_pressure, T max_pressure) {
-    if (!detail::has_kinks(contact)) {
-        auto tabulated = LawTabulator<T, Contact>(contact, min_pressure, max_pressure).tabulate();
+template <Real T>
+[[nodiscard]] LawTables<T> tables_of(const LawModel<T>& model, T min_pressure, T max_pressure) {
+    if (!model.has_kinks) {
+        auto tabulated = LawTabulator<T>(model, min_pressure, max_pressure).tabulate();
         if (tabulated.is_monotone && tabulated.tables.relative_error <= T(1e-3)) return std::move(tabulated.tables);
     }
-    T ratio = 0;
-    if constexpr (ProportionalContact<Contact, T>) ratio = contact.stiffness_over_slope();
-    const auto law = [&contact](T pressure, bool with_separation) {
-        const ContactState<T> state = contact.at_pressure(
+    const auto law = [&model](T pressure, bool with_separation) {
+        const ContactState<T> state = model.at_pressure(
             pressure, with_separation ? Quantity::stiffness | Quantity::separation : Quantity::stiffness);
         return LawPoint<T>{state.separation.value, state.stiffness.value};
     };
-    return KinkedTabulator<T>(law, ratio, contact.rms_height()).tabulate(min_pressure, max_pressure);
+    return KinkedTabulator<T>(law, model.stiffness_over_slope, model.rms_height).tabulate(min_pressure, max_pressure);
 }
 
 }  // namespace fstiff::inline v0_1::detail
