@@ -7,8 +7,6 @@
 
 #include <fstiff/core/error.hpp>
 
-#include <nlohmann/json.hpp>
-
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
@@ -172,14 +170,20 @@ Description read_description(const std::string& results) {
                                       " that names its grid and shard is missing; put it back next to the results, or "
                                       "move them away and run the sweep again");
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::optional<document::Json> json = document::parsed_json(text);
+    const auto take = [&]<class Value>(const char* key, Value& to) {
+        const document::Json* entry = json ? json->at(key) : nullptr;
+        const Value* value = entry ? entry->value<Value>() : nullptr;
+        if (!value)
+            throw file_error(file,
+                             "is not a description of results; must be what fstiff sweep wrote next to " + results);
+        to = *value;
+    };
+    std::uint64_t version = 0;
+    take("schema_version", version);
+    if (version != 1) throw file_error(file, "is of another version of fstiff");
     Description description;
-    try {
-        const auto json = nlohmann::json::parse(text);
-        if (json.at("schema_version") != 1) throw file_error(file, "is of another version of fstiff");
-        Description::each_field(description, [&](const char* key, auto& to) { json.at(key).get_to(to); });
-    } catch (const nlohmann::json::exception&) {
-        throw file_error(file, "is not a description of results; must be what fstiff sweep wrote next to " + results);
-    }
+    Description::each_field(description, take);
     return description;
 }
 
@@ -208,7 +212,7 @@ void OpenFile::write(std::string_view bytes) const {
 
 std::optional<std::uint64_t> index_of_line(std::string_view line) {
     const auto index = leading_index(line);
-    return index && nlohmann::json::accept(line) ? index : std::nullopt;
+    return index && document::is_json(line) ? index : std::nullopt;
 }
 
 void require_lines(const std::string& results) {
