@@ -15,13 +15,14 @@
 #include <utility>
 #include <vector>
 
+namespace fstiff::cli {
+
 namespace {
 
-using namespace fstiff::cli;
-using fstiff::document::option_error;
+using document::option_error;
 
 /// One line on standard error, whatever the message holds.
-void say(const std::string& message) { std::cerr << "fstiff: " << fstiff::document::printable(message) << '\n'; }
+void say(const std::string& message) { std::cerr << "fstiff: " << document::printable(message) << '\n'; }
 
 int execute(const Command& command) {
     name_inputs(command.texts);
@@ -40,8 +41,8 @@ int execute(const Command& command) {
 /// The units of every kind of quantity.
 std::string units() {
     std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
-    for (const auto& [dimension, name] : fstiff::names<fstiff::io::Dimension>)
-        text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') + fstiff::io::accepted_units(dimension);
+    for (const auto& [dimension, name] : names<io::Dimension>)
+        text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') + io::accepted_units(dimension);
     return text;
 }
 
@@ -68,22 +69,20 @@ int run(std::vector<std::string> words) {
     return success;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const fstiff::document::os::Surroundings surroundings;
+/// What main returns: every exception becomes a message and an exit code.
+int run_or_say(int argc, char** argv) {
     try {
-        return run(fstiff::document::os::arguments(argc, argv));
+        return run(document::os::arguments(argc, argv));
     } catch (const Usage& error) {
         say(error.what());
         return usage_error;
     } catch (const option_error& error) {
         say(error.what());
         return usage_error;
-    } catch (const fstiff::domain_error& error) {
+    } catch (const domain_error& error) {
         say(error.what());
         return input_error;
-    } catch (const fstiff::file_error& error) {
+    } catch (const file_error& error) {
         say(error.what());
         return input_error;
     } catch (const std::bad_alloc&) {
@@ -93,4 +92,13 @@ int main(int argc, char** argv) {
         say(std::string("internal error: ") + error.what());
         return internal_error;
     }
+}
+
+}  // namespace
+
+}  // namespace fstiff::cli
+
+int main(int argc, char** argv) {
+    const fstiff::document::os::Surroundings surroundings;
+    return fstiff::cli::run_or_say(argc, argv);
 }
