@@ -16,7 +16,7 @@ import numpy as np
 
 from . import Contact, __version__, effective_modulus, fit, generate, islands, peak_integral, peaks
 from ._errors import FileError
-from ._page import INK, MARK, Curve, Page, Panel, Picture, drawn, file_of, numbers, write
+from ._page import INK, MARK, Curve, Page, Panel, Picture, drawn, file_of, keep, numbers, write
 from ._results import html_of, need_matplotlib, shown, text_table
 
 if TYPE_CHECKING:
@@ -35,6 +35,7 @@ YIELDING: Any = {"poisson_ratio": 0.3, "yield_strength": 400e6}
 PRESSURES = np.array([1e5 * 10 ** (k / 10) for k in range(31)])  #: [Pa]
 SEED = 2014
 GAMMA = 1.5  #: ratio of neighbouring wavelengths of a sum of cosines
+NAMES = ("fig2", "fig4", "fig6", "fig7", "fig8", "fig9")  #: of the pictures
 UNFILTERED: Any = {"detrend": "none", "lambda_s": "none"}  #: options of a generated surface
 
 
@@ -327,6 +328,7 @@ def execute(arguments: argparse.Namespace) -> int:
     folder = Path(arguments.folder)
     if folder.exists() and not folder.is_dir():
         raise FileError(f"{folder}: is not a folder")
+    keep(folder / "errata.md", folder / "index.html", *(folder / (name + end) for name in NAMES for end in (".svg", ".csv")))
     pictures, sections = reproduce()
     page = Page("The paper reproduced")
     files = {folder / "errata.md": f"<!-- {MARK} -->\n{ERRATA.read_text('utf-8')}"}

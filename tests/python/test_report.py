@@ -59,10 +59,11 @@ def test_a_measured_surface_is_shown_with_its_scales(rough_map, trace, tmp_path)
     assert measured.scales().plot(of="lambda_c").get_xlabel() == "lambda_c [µm]"
 
 
-def test_the_command_writes_its_own_pages_alone(root, tmp_path):
-    page = tmp_path / "page.html"
+def test_the_command_writes_its_own_pages_alone(tmp_path):
+    page, scene = tmp_path / "page.html", tmp_path / "scene.toml"
+    scene.write_text('[surface]\nRq = "0.8 um"\n[contact]\npressures = ["1 MPa"]\n')
     for _ in range(2):
-        done = report(root / "data" / "built_in.toml", "-o", page)
+        done = report(scene, "-o", page)
         assert done.returncode == 0 and "page.html" in done.stdout, done.stderr
     assert page.read_text().endswith("</html>\n")
     page.write_text("<!doctype html>\nmine")
