@@ -217,7 +217,7 @@ TEST_CASE("Of many curves the first are drawn, and long names are broken") {
         replaced(read(scene_file), "peaks     = [ { theta = \"pi/4\", r = \"exponential\" } ]", many + "]");
     std::string name;
     for (int k = 0; k < 40; ++k) name += "sample ";
-    text = replaced(replaced(text, "sand blasted (fine) on steel", name + "end"), "0.010", "0.1");
+    text = replaced(replaced(text, "sand blasted (fine) on steel", name + "end"), "count = 31", "count = 5");
     const std::string picture = drawn(folder, text);
     CHECK(contains(picture, "8 of 21 curves are drawn"));
     std::vector<std::string> looks = all_between(plots(picture).at(0), "<path class=\"line ", "\"");

@@ -111,7 +111,7 @@ TEST_CASE("The band of a height with an error holds K one error above and below 
          {"rms_gradient = 0.12\nalpha = 8\nhurst = 0.8\nfractal_dimension = 1.2\n", "RSm = \"60 um\"\n", "",
           "peak_radius = \"40 um\"\npeak_density = \"2000 /mm^2\"\nfractal_dimension = 1.3\n"})
         for (const std::string hardness : {"\"20 GPa\"", "\"1 GPa\"", "\"0.3 GPa\""}) {
-            const auto of = [&](const std::string& height, const std::string& errors) {
+            const auto of = [&](const std::string& height, const std::string& errors, const std::string& rest) {
                 std::string laws =
                     "\"hybrid\", \"persson\", \"plastic\", \"greenwood_williamson\", \"hertz\", "
                     "\"plastic_peaks\", \"jackson_green\", \"kogut_etsion\", \"proportional\"";
@@ -121,10 +121,11 @@ TEST_CASE("The band of a height with an error holds K one error above and below 
                                         "[material.upper]\nname = \"steel\"\nhardness = " + hardness +
                                         "\nyield_strength = \"0.35 GPa\"\n[contact]\npressures = [\"10 MPa\"]\n"
                                         "laws = [" +
-                                        laws + "]\n");
+                                        laws + "]\n" + rest);
             };
-            const auto whole = of("0.8 um", "errors = { rms_height = \"0.4 um\" }\n"), less = of("0.4 um", ""),
-                       more = of("1.2 um", "");
+            const std::string no_band = "[uncertainty]\nsamples = 0\n";
+            const auto whole = of("0.8 um", "errors = { rms_height = \"0.4 um\" }\n", ""),
+                       less = of("0.4 um", "", no_band), more = of("1.2 um", "", no_band);
             REQUIRE(whole.curves.size() >= 9);
             for (std::size_t c = 0; c < whole.curves.size(); ++c) {
                 CAPTURE(surface, hardness, fstiff::actions::title(whole.curves[c]));

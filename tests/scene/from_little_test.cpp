@@ -185,7 +185,7 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     scene.samples = 0;
     std::vector<std::vector<double>> all(scene.points.size());
     std::uint64_t state = 7;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 700; ++i) {
         scene::Scene one = scene;
         for (const detail::Prior& prior : scene.face.priors) {
             if (detail::is_of_shape(prior.which) || prior.which == Unknown::hurst) continue;
@@ -204,7 +204,7 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     std::vector<std::pair<double, double>> ends;
     for (std::vector<double>& of_point : all) {
         std::sort(of_point.begin(), of_point.end());
-        ends.emplace_back(of_point[100], of_point[1899]);
+        ends.emplace_back(of_point[of_point.size() / 20], of_point[of_point.size() * 19 / 20]);
     }
     return ends;
 }
