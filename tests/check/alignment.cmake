@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# A program links fstiff::double with the definitions of its target, for this processor, for one with AVX2 and by
-# AddressSanitizer, all of which align arrays of Eigen in a way of their own otherwise: it ends well and prints the same
+# A program links fstiff::double with the definitions of its target, for a processor with AVX2 and by AddressSanitizer, and
+# with the flags OTHER, all of which align arrays of Eigen in a way of their own otherwise: it ends well and prints the same
 # numbers. Without the definitions it does not link, and the message names what is missing.
-# COMPILER, INCLUDE: of fstiff, EIGEN, LIBRARY, DEFINITIONS, WORK.
+# COMPILER, INCLUDE: of fstiff, EIGEN, LIBRARY, DEFINITIONS, WORK, OTHER: one more set of flags.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" DEFINITIONS ${DEFINITIONS})
 list(TRANSFORM DEFINITIONS PREPEND -D)
@@ -45,7 +45,7 @@ if(EXISTS /proc/cpuinfo)
 endif()
 run(expected plain)
 set(number 1)
-foreach(flags IN ITEMS "-mavx2;-fsanitize=address" "-march=native")
+foreach(flags IN ITEMS "-mavx2;-fsanitize=address" ${OTHER})
     run(printed with_${number} ${flags})
     math(EXPR number "${number} + 1")
     if(printed AND NOT printed STREQUAL expected)

@@ -2,11 +2,13 @@
 # core/config.hpp refuses what fstiff cannot work with, in one clear sentence that comes first, and takes the rest.
 # COMPILER, INCLUDE: of fstiff, WORK.
 cmake_minimum_required(VERSION 3.25)
-file(WRITE ${WORK}/empty.cpp "#include <fstiff/core/error.hpp>\nint main() {}\n")
+file(WRITE ${WORK}/error.cpp "#include <fstiff/core/error.hpp>\nint main() {}\n")
+file(WRITE ${WORK}/config.cpp "#include <fstiff/core/config.hpp>\nint main() {}\n")
 
-# compile(expected flag...): expected is a part of the first error, "" when there must be none.
+# compile(expected flag...): expected is a part of the first error, "" when there must be none. Of config.hpp, or of FILE.
+set(FILE config)
 function(compile expected)
-    execute_process(COMMAND ${COMPILER} -fsyntax-only -I${INCLUDE} ${ARGN} ${WORK}/empty.cpp
+    execute_process(COMMAND ${COMPILER} -fsyntax-only -I${INCLUDE} ${ARGN} ${WORK}/${FILE}.cpp
                     RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
     string(REGEX MATCH "error: [^\n]*" first "${said}")
     if((expected STREQUAL "" AND NOT result EQUAL 0)
@@ -15,8 +17,10 @@ function(compile expected)
     endif()
 endfunction()
 
-compile("" -std=c++20)
-compile("fstiff needs C\\+\\+20" -std=c++17)
+foreach(FILE IN ITEMS error config)  # an error comes first from a header that includes it, too
+    compile("" -std=c++20)
+    compile("fstiff needs C\\+\\+20" -std=c++17)
+endforeach()
 compile("fstiff needs C\\+\\+20" -std=c++11)
 foreach(flag IN ITEMS -ffast-math -Ofast -ffinite-math-only)
     compile("fstiff needs NaN" -std=c++20 ${flag})

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#ifdef CONSUMER_TAKES_ALL
 #include <fstiff/fstiff.hpp>
+#else
+#include <fstiff/asperity/laws.hpp>
+#include <fstiff/asperity/material.hpp>
+
+#include <cmath>
+#endif
 
 double elsewhere(double omega, double radius);  // the same law, seen by another translation unit
 
