@@ -5,6 +5,7 @@
 //     fstiff_c_bench        what,cpp_ns,c_ns,c_over_cpp_ns,largest_difference
 #include <fstiff.h>
 
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>

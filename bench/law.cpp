@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A whole contact: the separation for a pressure, and the tabulated law.
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include "methods.hpp"
 #include "row.hpp"
 

@@ -9,13 +9,20 @@
 //     fstiff_maps file KIND SEED SIZE FILE.gsf        the map, with steps of 0.5 um
 #include "support/map_kinds.hpp"
 
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -7,6 +7,7 @@
 #include "support/table.hpp"
 
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>

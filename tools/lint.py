@@ -342,7 +342,7 @@ def api(root, update=False):
     """docs/api.md lists what is in namespaces fstiff and fstiff::io by folder, with the first sentence about each."""
     found, codes, problems = {}, {}, []
     version = dict(re.findall(r"FSTIFF_VERSION_(\w+) (\d+)", read(root / "include/fstiff/core/version.hpp")))
-    home = f"fstiff::inline v{version['MAJOR']}_{version['MINOR']}"
+    home = f"fstiff::v{version['MAJOR']}_{version['MINOR']}"
     for path in sorted((root / "include/fstiff").glob("[!d]*/*.hpp")):
         header = path.relative_to(root / "include/fstiff").as_posix()
         for space, name, comment, code in declarations(read(path)):

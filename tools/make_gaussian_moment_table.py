@@ -161,8 +161,8 @@ def main():
         "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
         "/// \\file\n/// Coefficients of gaussian_moment.hpp and of error_function.hpp, made by tools/make_gaussian_moment_table.py, which\n"
         "/// names the pieces and the variables.\n\n"
-        "#include <fstiff/core/config.hpp>\n\n#include <array>\n\nnamespace fstiff::inline v0_1::math {\n\n// clang-format off\n"
-        f"{table()}// clang-format on\n\n}}  // namespace fstiff::inline v0_1::math\n")
+        "#include <fstiff/core/config.hpp>\n\n#include <array>\n\nnamespace fstiff { inline namespace v0_1 { namespace math {\n\n// clang-format off\n"
+        f"{table()}// clang-format on\n\n}}}}}}  // namespace fstiff::math\n")
     if "--check" not in sys.argv:
         TARGET.write_text(out)
     elif TARGET.read_text() != out:

@@ -2,6 +2,7 @@
 // The C++ side of batch.py: the same law and the same contact, on the same pressures.
 //
 //     batch LAW PRESSURES OUT      doubles of the file PRESSURES; K of both goes to OUT, the least seconds to stdout
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>

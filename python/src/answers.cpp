@@ -7,8 +7,11 @@
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/answer.hpp>
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/derived.hpp>
 #include <fstiff/asperity/named_materials.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>

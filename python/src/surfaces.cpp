@@ -15,6 +15,9 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 
+#include <fstiff/io/quantities.hpp>
+#include <fstiff/peaks/single_radius.hpp>
+
 #include <optional>
 #include <stdexcept>
 #include <variant>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 namespace fstiff::actions {

@@ -4,7 +4,9 @@
 #include "actions/contact_cards.hpp"
 #include "document/file.hpp"
 
+#include <fstiff/answer/derived.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/fractal.hpp"
 
+#include <fstiff/answer/face.hpp>
 #include <fstiff/double/surfaces.hpp>
 #include "actions/measure.hpp"
 #include "document/shown_unit.hpp"

@@ -10,6 +10,7 @@
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <cstdint>
 #include <optional>

@@ -5,9 +5,20 @@
 #include "actions/ultrasound.hpp"
 #include "document/shown_unit.hpp"
 
+#include <fstiff/answer/answer_curve.hpp>
+#include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/request.hpp>
 #include <fstiff/answer/state_table.hpp>
+#include <fstiff/answer/unknowns.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
+#include <fstiff/math/random.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

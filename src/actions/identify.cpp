@@ -6,7 +6,10 @@
 #include "document/shown_unit.hpp"
 #include "io/number.hpp"
 
+#include <fstiff/answer/concerns.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "actions/measure.hpp"
 
 #include <fstiff/measure/concerns.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 
 #include <algorithm>
 

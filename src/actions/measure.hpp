@@ -8,6 +8,8 @@
 #include "surface/measured_surface.hpp"
 #include "surface/surface_file.hpp"
 
+#include <fstiff/measure/roughness_cut_off.hpp>
+
 #include <memory>
 #include <optional>
 #include <string>

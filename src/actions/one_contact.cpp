@@ -3,7 +3,11 @@
 
 #include "document/file.hpp"
 
-#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/resolve.hpp>
+#include <fstiff/answer/resolved_joint.hpp>
+#include <fstiff/answer/unknowns.hpp>
 
 #include <algorithm>
 #include <cmath>

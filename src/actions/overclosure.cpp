@@ -7,7 +7,10 @@
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/derived.hpp>
+#include <fstiff/answer/request.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,9 @@
 #include "actions/peak_density.hpp"
 
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/io/quantities.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include "actions/measure.hpp"
 
 #include <cmath>

@@ -5,7 +5,9 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
+#include <fstiff/answer/request.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include <algorithm>

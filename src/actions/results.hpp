@@ -11,6 +11,7 @@
 #include "scene/scene.hpp"
 
 #include <fstiff/answer/ball.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/core/parallel.hpp>
 
 #include <cstddef>

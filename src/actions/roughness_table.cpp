@@ -3,6 +3,8 @@
 #include "actions/measure.hpp"
 
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 
 #include <span>
 #include <utility>

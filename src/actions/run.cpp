@@ -3,8 +3,13 @@
 #include "actions/run.hpp"
 #include "actions/explanation.hpp"
 
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/derived.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

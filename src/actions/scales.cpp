@@ -6,7 +6,10 @@
 #include "document/shown_unit.hpp"
 
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/resolved_joint.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/core/parallel.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 
 #include <memory>
 #include <optional>

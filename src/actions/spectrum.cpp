@@ -2,6 +2,7 @@
 #include "actions/spectrum.hpp"
 
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include "actions/measure.hpp"
 
 #include <algorithm>

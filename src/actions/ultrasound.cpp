@@ -5,6 +5,8 @@
 #include "document/shown_unit.hpp"
 #include "io/number.hpp"
 
+#include <fstiff/wave/uncertain_reflection.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -8,6 +8,7 @@
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <optional>
 #include <string>

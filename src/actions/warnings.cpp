@@ -4,7 +4,10 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
+#include <fstiff/answer/answer_curve.hpp>
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <string_view>

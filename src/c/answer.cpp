@@ -3,7 +3,9 @@
 #include "c/measure.hpp"
 
 #include <fstiff/answer.hpp>
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/resolve.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "c/law.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "c/measure.hpp"
 
 #include <fstiff/measure/height_shape.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <cmath>
 #include <string>

@@ -5,6 +5,7 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/text.hpp>
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #include <algorithm>

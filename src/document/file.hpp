@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff::io {
 enum class Dimension;
 }
 

@@ -2,7 +2,7 @@
 #define FSTIFF_DOUBLE template
 #include <fstiff/double/models.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff {
 
 template <int Dynamic, int Static, bool ByMalloc>
 int detail::fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than() {
@@ -11,4 +11,4 @@ int detail::fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than() {
 template int detail::fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than<
     EIGEN_DEFAULT_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES, EIGEN_MALLOC_ALREADY_ALIGNED != 0>();
 
-}  // namespace fstiff::inline v0_1
+}  // namespace fstiff

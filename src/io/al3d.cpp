@@ -19,11 +19,12 @@
 
 #include "io/file_bytes.hpp"
 
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #include <map>
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -111,4 +112,4 @@ extern constexpr Reader al3d_reader{.format = SurfaceFormat::al3d,
                                     .begins = is_al3d,
                                     .read = read_by<Al3dReader>};
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

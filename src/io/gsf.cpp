@@ -20,9 +20,10 @@
 #include "io/binary_numbers.hpp"
 #include "io/lines.hpp"
 
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -158,4 +159,4 @@ extern constexpr Reader gsf_reader{
     .read = read_by<GsfReader>,
     .may_begin = [](std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field"); }};
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

@@ -3,7 +3,9 @@
 
 #include "io/unit_table.hpp"
 
-namespace fstiff::inline v0_1::io::detail {
+#include <fstiff/io/quantities.hpp>
+
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -344,4 +346,4 @@ std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
     return std::nullopt;
 }
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

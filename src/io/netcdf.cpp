@@ -27,7 +27,7 @@
 
 #include <map>
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -270,4 +270,4 @@ extern constexpr Reader netcdf_reader{.format = SurfaceFormat::netcdf,
                                       .begins = is_netcdf,
                                       .read = read_netcdf};
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

@@ -20,12 +20,13 @@
 #include "io/file_bytes.hpp"
 #include "io/zip_archive.hpp"
 
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -112,10 +113,10 @@ private:
 
 }  // namespace
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail
 #endif
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -138,4 +139,4 @@ extern constexpr Reader plux_reader{
 #endif
 };
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #include "io/unit_table.hpp"
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff::io {
 
 namespace detail {
 
@@ -113,4 +114,4 @@ double parse_angle(std::string_view text, std::string_view name) {
     return detail::finite(value / divisor.value, name, text);
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::io

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff::io {
 
 void Record::say_points(const RawMap& map, const std::string& more) {
     say_points_of_profile(map, more);
@@ -64,4 +64,4 @@ void set_spacings(RawMap& map, double dx, double dy, const std::string& name) {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::io

@@ -28,9 +28,10 @@
 #include "io/lines.hpp"
 #include "io/number_table.hpp"
 
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -337,4 +338,4 @@ extern constexpr Reader sdf_reader{.format = SurfaceFormat::sdf,
                                    .mark = 8,
                                    .may_begin = may_be_sdf};
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

@@ -4,7 +4,7 @@
 #include "io/option_names.hpp"
 #include "io/unit_table.hpp"
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -323,4 +323,4 @@ void say_channels(Record& record, const ChosenBlock& chosen) {
     record.say("other channels", chosen.others + ", not read");
 }
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

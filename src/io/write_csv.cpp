@@ -5,11 +5,12 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <cmath>
 #include <ostream>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff::io {
 
 namespace detail {
 
@@ -65,4 +66,4 @@ void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form)
     detail::put_text(output, text);
 }
 
-}  // namespace fstiff::inline v0_1::io
+}  // namespace fstiff::io

@@ -23,12 +23,13 @@
 #include "io/option_names.hpp"
 #include "io/zip_archive.hpp"
 
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -354,10 +355,10 @@ private:
 
 }  // namespace
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail
 #endif
 
-namespace fstiff::inline v0_1::io::detail {
+namespace fstiff::io::detail {
 
 namespace {
 
@@ -379,4 +380,4 @@ extern constexpr Reader x3p_reader{.format = SurfaceFormat::x3p,
 #endif
                                    .may_begin = [](std::string_view bytes) { return bytes.starts_with("PK"); }};
 
-}  // namespace fstiff::inline v0_1::io::detail
+}  // namespace fstiff::io::detail

@@ -4,6 +4,8 @@
 #include "document/file.hpp"
 #include "io/number.hpp"
 
+#include <fstiff/io/quantities.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>

@@ -4,6 +4,8 @@
 #include "scene/scene.hpp"
 
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/derived.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <array>

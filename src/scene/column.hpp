@@ -3,8 +3,10 @@
 // The columns of a curve, each by what it holds: names, units and headings follow from one table.
 
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/derived.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <cstddef>
 #include <span>

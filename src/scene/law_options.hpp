@@ -5,6 +5,8 @@
 #include "request/field.hpp"
 #include "scene/scene.hpp"
 
+#include <fstiff/profile/profile_form.hpp>
+
 #include <array>
 #include <string_view>
 

@@ -3,6 +3,8 @@
 #include "document/file.hpp"
 #include "scene/readers.hpp"
 
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 
 #include <algorithm>

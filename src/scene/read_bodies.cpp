@@ -5,6 +5,8 @@
 #include "document/shown_unit.hpp"
 
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/asperity/hardness.hpp>
+#include <fstiff/io/quantities.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,9 @@
 #include "scene/law_options.hpp"
 #include "scene/readers.hpp"
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/resolve.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 
 #include <algorithm>

@@ -6,6 +6,12 @@
 #include "request/words.hpp"
 #include "surface/surface_option_table.hpp"
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/resolve.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

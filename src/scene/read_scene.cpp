@@ -4,7 +4,10 @@
 #include "scene/column.hpp"
 #include "scene/readers.hpp"
 
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/unknowns.hpp>
 
 #include <algorithm>
 #include <array>

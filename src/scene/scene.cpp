@@ -4,6 +4,12 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/asperity/hardness.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+
 #include <algorithm>
 #include <cmath>
 

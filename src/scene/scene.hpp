@@ -4,7 +4,8 @@
 // docs/scene.md. results.hpp computes it.
 
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/resolved_joint.hpp>
 #include "request/field.hpp"
 #include "scene/column.hpp"
 #include "surface/measured_surface.hpp"

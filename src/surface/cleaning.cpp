@@ -7,6 +7,8 @@
 
 #include <fstiff/core/text.hpp>
 #include <fstiff/measure/prepare.hpp>
+#include <fstiff/profile/profile_repair.hpp>
+#include <fstiff/topography/map_repair.hpp>
 
 #include <algorithm>
 #include <variant>

@@ -3,6 +3,8 @@
 
 #include "document/shown_unit.hpp"
 
+#include <fstiff/profile/levelled_profile.hpp>
+
 #include <algorithm>
 #include <cmath>
 

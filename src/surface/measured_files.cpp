@@ -6,6 +6,8 @@
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/measure/pooled_surface.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <algorithm>
 #include <charconv>

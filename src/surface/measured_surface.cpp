@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "surface/measured_surface.hpp"
 
+#include <fstiff/answer/band_parts.hpp>
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
 
 #include <fstiff/answer/band.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -5,6 +5,9 @@
 #include "document/shown_unit.hpp"
 #include "surface/equal_heights.hpp"
 
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/surface/moments.hpp>
 
 #include <algorithm>

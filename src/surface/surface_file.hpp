@@ -7,6 +7,8 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/measure/prepare.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 
 #include <algorithm>
 #include <optional>

@@ -2,6 +2,7 @@
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/measure/prepare.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <algorithm>
 #include <stdexcept>

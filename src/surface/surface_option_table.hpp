@@ -5,6 +5,8 @@
 
 #include "surface/surface_options.hpp"
 
+#include <fstiff/profile/profile_form.hpp>
+
 #include <array>
 #include <span>
 #include <string>

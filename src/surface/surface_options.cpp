@@ -3,6 +3,7 @@
 
 #include "document/file.hpp"
 
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #include <algorithm>

@@ -5,6 +5,8 @@
 #include "sweep/template.hpp"
 
 #include <fstiff/core/version.hpp>
+#include <fstiff/io/quantities.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <array>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "document/file.hpp"
 #include "document/json.hpp"
 
+#include <fstiff/answer/request.hpp>
 #include <fstiff/core/text.hpp>
 
 #include <algorithm>

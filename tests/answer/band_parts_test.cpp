@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of a band by their definition; tests/scene/one_measurement_test.cpp holds the band of K to its parts.
 #include <fstiff/answer/band.hpp>
+#include <fstiff/answer/band_parts.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

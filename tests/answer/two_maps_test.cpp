@@ -5,6 +5,7 @@
 #include <fstiff/contact/boundary_element_contact.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/sum_of_maps.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Units of hardness, and the lesser of two numbers with ranges against draws of both.
+#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/material.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named materials: E and nu against those of density and sound speeds, which have another source; spellings.
+#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 
 #include "support/accuracy.hpp"

@@ -2,9 +2,14 @@
 // Reference of interface_test.c: numbers of the C++ library, made without the C interface and without scenes but
 // for one. Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/asperity/tangential_ratio.hpp>
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/measure/measure.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>

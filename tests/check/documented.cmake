@@ -10,9 +10,8 @@ set(input ${SOURCE}/include)
 if(REFUSES)
     string(APPEND input " ${WORK}/bare.hpp")
 endif()
-# doxygen does not know namespaces such as fstiff::inline v0_1::parts
 file(WRITE ${WORK}/Doxyfile "INPUT = ${input}\n"
-     "FILTER_PATTERNS = \"*.hpp=sed -E s/::inline.v[0-9_]+//\"\n"
+     "FILTER_PATTERNS = \"*.hpp=sed -E -f ${SOURCE}/cmake/headers.sed\"\n"
      "EXCLUDE_PATTERNS = */fstiff/double/*\nRECURSIVE = YES\nFILE_PATTERNS = *.hpp *.h\nOUTPUT_DIRECTORY = ${WORK}\nGENERATE_HTML = NO
 GENERATE_LATEX = NO\nGENERATE_XML = YES\nEXCLUDE_SYMBOLS = *::detail *::detail::* *::parts *::parts::* *::math *::math::*\nQUIET = YES\nHAVE_DOT = NO\n")
 execute_process(COMMAND ${DOXYGEN} ${WORK}/Doxyfile ERROR_VARIABLE warnings OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)

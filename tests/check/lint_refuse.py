@@ -288,7 +288,7 @@ def on_documents(compiler, flags, eigen):
 
 
 API = """// SPDX
-namespace fstiff::inline v1_2 {
+namespace fstiff { inline namespace v1_2 {
 namespace parts {
 struct Step {};
 }  // namespace parts
@@ -305,7 +305,7 @@ template <class T>
 concept IsLaw = requires(T t) { t.f(); } && true;
 /// Least.
 template <class T> inline constexpr T least{1};
-}  // namespace fstiff::inline v1_2
+}}  // namespace fstiff
 """
 VERSION = ("include/fstiff/core/version.hpp", "#define FSTIFF_VERSION_MAJOR 1\n#define FSTIFF_VERSION_MINOR 2\n")
 LISTED = ("<!-- api -->\n\n### law\n\n| name | what it is | header |\n|---|---|---|\n| `Law` | A law. | law |\n"
@@ -313,11 +313,11 @@ LISTED = ("<!-- api -->\n\n### law\n\n| name | what it is | header |\n|---|---|-
 LAW = ("docs/api.md", LISTED, "include/fstiff/law/law.hpp")
 PAGE = ("README.md", "`Law`, `load`, `IsLaw<T>`, `least`, `one`\n")
 APIS = [("", *VERSION, *PAGE, *LAW, API),
-        ("Law is in fstiff, not in fstiff::inline v1_2", *VERSION, *PAGE, *LAW, API.replace("::inline v1_2", "")),
+        ("Law is in fstiff, not in fstiff::v1_2", *VERSION, *PAGE, *LAW, API.replace("inline namespace v1_2 {", "").replace("}}", "}")),
         ("does not list", *VERSION, *PAGE, "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. | law |\n", ""), LAW[2], API),
         ("load is public and has no comment", *VERSION, *PAGE, *LAW, API.replace("/// Its load.\n", "")),
         ("load is public, and neither a page", *VERSION, "README.md", "Law IsLaw least\n", *LAW, API),
-        ("have 5 names, more than 4", *VERSION, *PAGE, *LAW, API.replace("}  // namespace fstiff:", "/// One.\nint one();\n}  // namespace fstiff:"))]
+        ("have 5 names, more than 4", *VERSION, *PAGE, *LAW, API.replace("}}  // namespace", "/// One.\nint one();\n}}  // namespace"))]
 
 
 def as_command(expected_code, expected, *arguments):

@@ -7,9 +7,12 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/surface_file.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/map_spectrum.hpp>

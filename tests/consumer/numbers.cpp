@@ -6,6 +6,10 @@
 #else
 #include <fstiff/fstiff.hpp>
 #include <fstiff/io.hpp>
+#include <fstiff/io/quantities.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 #endif
 
 #include <cstdio>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program that reads and writes files, by fstiff::io.
 #include <fstiff/io.hpp>
+#include <fstiff/io/quantities.hpp>
 
 #include <sstream>
 

@@ -2,10 +2,16 @@
 // Truth: Persson's contact under a Gaussian; the fixed point by plain iteration with a separation summed here; boundary
 // elements and K of another program on tests/data/bearing_map_honed.f32, made again with its rules and with finer ones.
 #include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/contact.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
 

@@ -2,6 +2,8 @@
 // Truth: boundary elements themselves; the way back from a separation; -dp/dd by difference, which K is where the set
 // of contacts changes smoothly.
 #include <fstiff/contact/boundary_element_contact.hpp>
+#include <fstiff/contact/contact.hpp>
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the contact itself, one state a call; a contact made for the test that reports its limits.
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem_maps.csv; the exact spectrum of maps
 // that repeat themselves.
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"

@@ -2,6 +2,7 @@
 // Truth: boundary elements of tests/data/broad.csv (bench/broad.cpp, tools/make_broad.py; the seeds 1 and 3 were
 // fitted) and of tests/data/bem.csv; published molecular dynamics; the parts of the law, combined anew.
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the last column of tests/data/plastic_curves.csv (9 digits, two quadratures); one radius in one dimension.
+#include <fstiff/contact/load_weighted.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

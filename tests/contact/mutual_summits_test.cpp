@@ -2,6 +2,7 @@
 // Truth: Hertz's sphere with its images; a dense matrix of lattice sums; the derivative of p; boundary elements of
 // tests/data/bem_maps.csv.
 #include <fstiff/asperity/elliptic_hertz.hpp>
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/summit_contact.hpp>

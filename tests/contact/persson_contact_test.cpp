@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: tests/data/persson.csv (20 digits, two variables of integration) and persson_shells.csv.
 #include <fstiff/contact/persson_contact.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

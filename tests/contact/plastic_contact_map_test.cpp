@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: boundary elements whose pressures are cut at the hardness, of a map and of tests/data/plastic_closing.csv
 // (make_plastic_closing.py; no map of it was fitted); elastic and flowed limits in closed form; differences of p(d).
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>

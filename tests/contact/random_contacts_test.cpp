@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // 200 random contacts of every law. Truth: the load, the stiffness and the area of one asperity, integrated over the
 // density of the peaks by panels, with (4.4)-(4.11) written out anew.
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -6,6 +6,8 @@
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -3,10 +3,16 @@
 // tests/data/bem_maps.csv.
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/bearing_contact.hpp>
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"

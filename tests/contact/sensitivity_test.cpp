@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/contact/sensitivity.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

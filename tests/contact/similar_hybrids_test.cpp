@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the contact of each surface by itself, hybrid_of_band().
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: Hertz's formula for one sphere; K as the slope of p; sums over elliptic summits of periodic maps in
 // tests/data/elliptic_summits.csv.
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/summit_contact.hpp>

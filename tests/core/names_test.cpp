@@ -2,6 +2,9 @@
 // Words of an enum: of a small one by hand, and of every enum of the library that has words, there and back.
 #include <fstiff/fstiff.hpp>
 #include <fstiff/io.hpp>
+#include <fstiff/peaks/single_radius.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -7,6 +7,7 @@
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

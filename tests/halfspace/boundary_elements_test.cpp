@@ -3,6 +3,7 @@
 // closed.
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include "support/accuracy.hpp"

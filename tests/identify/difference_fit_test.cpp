@@ -2,6 +2,7 @@
 // Truth: the exact derivatives of contact/sensitivity, differences of other steps, and curves with seeded noise.
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/identify/differences.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/identify/identify.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -5,6 +5,8 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
+#include <fstiff/profile/profile_form.hpp>
+
 namespace header_test {
 
 using namespace fstiff;

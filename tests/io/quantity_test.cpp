@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Units in every spelling; the compiler's own conversion of a literal is the second source.
+#include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 #include "io/unit_table.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the sum that defines the transform, in long double.
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/fft_of_lines.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bits against those published with the algorithm; normal numbers against their moments.
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Order against std::stable_sort; quantiles by hand; resamples against the variance of a mean of blocks.
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/measure/cut_offs.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: independent normal numbers, of which n and D^2 are known; heights whose departure is a closed form; plain
 // sums.
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/height_shape.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

@@ -2,6 +2,7 @@
 // A lay is found in profiles and maps that have one, and in few that do not.
 #include <fstiff/measure/concerns.hpp>
 #include <fstiff/measure/plain_form.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every concern just within its limit and just beyond it; and of surfaces that are made to have it.
 #include <fstiff/measure/concerns.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/catch.hpp"

@@ -3,6 +3,8 @@
 #include <fstiff/measure/plain_form.hpp>
 
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include "support/catch.hpp"

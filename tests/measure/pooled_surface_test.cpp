@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: closed forms.
+#include <fstiff/math/random.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // prepare() and clean() against their steps taken one after the other by hand, and against other orders of them.
 #include <fstiff/measure/prepare.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/profile/profile_repair.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/topography/map_repair.hpp>
 
 #include "support/catch.hpp"
 

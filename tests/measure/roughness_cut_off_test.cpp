@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // lambda_c by the table: chirps of known Ra, far shorter than every cut-off; and profiles of known period.
 #include <fstiff/measure/cut_offs.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 
 #include "support/catch.hpp"
 

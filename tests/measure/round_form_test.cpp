@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Balls, rods and rings: the roughness that was put on them comes back.
 #include <fstiff/measure/prepare.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

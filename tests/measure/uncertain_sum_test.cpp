@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: derivatives of sum_of_faces by differences; sums over all pairs of heights.
+#include <fstiff/answer/face.hpp>
 #include <fstiff/measure/uncertain_sum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

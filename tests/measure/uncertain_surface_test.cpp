@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/math/random.hpp>
 #include <fstiff/measure/uncertain_surface.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/math/random.hpp>
 #include <fstiff/measure/measure.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

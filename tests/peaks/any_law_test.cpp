@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contacts of laws that a user writes. Truth: the closed integrals of the same law given its powers, the contact
 // integrals themselves, and differences of p(d).
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: a cosine, whose autocorrelation is a cosine; direct sums; numpy.
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 
 #include "support/accuracy.hpp"

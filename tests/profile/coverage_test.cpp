@@ -2,6 +2,8 @@
 // Frequency with which D +- 1.96 errors covers the D of the generator of a self-affine profile, at every 1st to 16th of
 // its points: whole, cut from one four times as long, or of a spectrum that turns flat.
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/profile/tip_lengths.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"

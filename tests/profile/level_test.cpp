@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levelled profiles against the single steps; a fit compensates the removed line.
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spikes are found where they were put, roughness is left alone; missing points are filled by lines.
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_repair.hpp>
 
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/profile/tip_lengths.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

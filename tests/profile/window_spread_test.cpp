@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the structure function of second differences of an exact power law, and differences of it.
 #include <fstiff/profile/fractal_result.hpp>
+#include <fstiff/profile/window_sensitivity.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

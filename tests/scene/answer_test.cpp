@@ -5,6 +5,9 @@
 
 #include "support/library.hpp"
 
+#include <fstiff/answer/band_parts.hpp>
+#include <fstiff/asperity/hardness.hpp>
+
 #include <cmath>
 
 namespace answer_test {

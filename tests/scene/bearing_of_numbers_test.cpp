@@ -13,6 +13,8 @@
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/measure/height_shape.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 

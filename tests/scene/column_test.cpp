@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fstiff/wave/uncertain_reflection.hpp>
+
 #include <cmath>
 #include <limits>
 

@@ -6,6 +6,8 @@
 
 #include "actions/overclosure.hpp"
 
+#include <fstiff/asperity/hardness.hpp>
+
 #include <cmath>
 #include <numbers>
 

@@ -2,6 +2,10 @@
 // What the contact sees of one face, of several maps of one face and of two faces. Truth: the definitions, written out;
 // sums over the maps themselves.
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/measured_map.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"

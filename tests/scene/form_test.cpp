@@ -3,6 +3,8 @@
 // mends them.
 #include "support/library.hpp"
 
+#include <fstiff/profile/profile_form.hpp>
+
 #include <cmath>
 #include <random>
 #include <regex>

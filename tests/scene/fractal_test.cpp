@@ -3,14 +3,18 @@
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
+#include <fstiff/answer/face.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/measure/sections.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 

@@ -8,7 +8,11 @@
 #include "support/catch.hpp"
 #include "support/library.hpp"
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/unknowns.hpp>
 #include <fstiff/contact/persson_contact.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/process_prior.hpp>
 

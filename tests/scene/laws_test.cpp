@@ -2,10 +2,13 @@
 // The keys of a scene for the laws that are not in the paper. Truth: the library's contacts, made by hand; tests/data.
 #include "actions/results.hpp"
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>
 #include <fstiff/io/write.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 

@@ -6,6 +6,7 @@
 #include "support/library.hpp"
 
 #include <fstiff/asperity/named_materials.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

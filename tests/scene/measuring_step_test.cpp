@@ -8,6 +8,8 @@
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 
+#include <fstiff/profile/profile_form.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

@@ -6,10 +6,14 @@
 
 #include <fstiff/answer/band.hpp>
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #ifdef FSTIFF_TEST_HAS_C
 #include <fstiff.h>
 #endif

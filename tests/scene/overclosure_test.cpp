@@ -3,6 +3,7 @@
 // made by hand, at pressures that the table was not made of.
 #include "actions/overclosure.hpp"
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include "support/accuracy.hpp"

@@ -4,7 +4,9 @@
 #include "support/library.hpp"
 
 #include <fstiff/core/text.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 #include "support/library.hpp"
 
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -10,6 +10,8 @@
 
 #include "support/accuracy.hpp"
 
+#include <fstiff/profile/profile_form.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>

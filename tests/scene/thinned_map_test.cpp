@@ -9,6 +9,7 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/write.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <algorithm>

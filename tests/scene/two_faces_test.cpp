@@ -4,6 +4,7 @@
 
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/sum_of_maps.hpp>
 
 #include <algorithm>
 #include <cmath>

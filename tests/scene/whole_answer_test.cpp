@@ -5,6 +5,8 @@
 #include "support/csv.hpp"
 #include "support/library.hpp"
 
+#include <fstiff/asperity/hardness.hpp>
+
 #include <cmath>
 
 namespace whole_answer_test {

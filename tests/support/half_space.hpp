@@ -9,6 +9,7 @@
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 
 #include <algorithm>
 #include <cmath>

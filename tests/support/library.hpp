@@ -16,6 +16,7 @@
 #include "support/csv.hpp"
 #include "support/files.hpp"
 
+#include <fstiff/answer/face.hpp>
 #include <fstiff/io/write.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 

@@ -4,6 +4,7 @@
 // particles, the sum of two faces, with waves as long as the map, and with a broad spectrum. They repeat themselves
 // over the unit square and have an rms gradient of 0.1. Of twice the size a map has twice the points and twice the
 // waves a side.
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/topography/height_map.hpp>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: a Gaussian surface; areas and moments summed over many values of the curve; the lognormal curve in closed
 // form.
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 
 #include "support/accuracy.hpp"

@@ -2,6 +2,7 @@
 // Truth: Gaussian heights, whose curve is a straight line; the regression written out over all heights, without a
 // table.
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

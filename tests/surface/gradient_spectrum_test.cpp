@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: G of the waves up to q by Simpson's rule over 2 pi q^3 C(q), and sums over shells by hand.
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/gradient_spectrum.hpp>
 #include <fstiff/surface/spectrum.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: moments of bands in tests/data/persson.csv (20 digits), bands of moments in tests/data/hybrid.csv (15 digits).
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/spectrum.hpp>
 
 #include "support/accuracy.hpp"

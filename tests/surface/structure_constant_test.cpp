@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

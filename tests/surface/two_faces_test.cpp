@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: sums of the spectra and autocorrelations of independent surfaces.
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/resolve.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/spectrum.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

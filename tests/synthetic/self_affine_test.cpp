@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/math/random.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

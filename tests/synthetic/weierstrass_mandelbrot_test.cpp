@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/math/random.hpp>
 #include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 
 #include "support/accuracy.hpp"

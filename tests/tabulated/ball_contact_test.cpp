@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 
 #include <fstiff/answer/curves.hpp>

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the contacts themselves at random pressures; differences of p(d); sums over a few summits in closed form.
+#include <fstiff/contact/contact.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
 

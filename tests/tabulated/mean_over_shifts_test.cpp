@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: means and standard deviations written out by hand.
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/tabulated/mean_over_shifts.hpp>

@@ -2,6 +2,7 @@
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 

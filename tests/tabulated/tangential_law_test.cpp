@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spikes are alone: rims, walls, ridges and bumps of clean kinds are none, and added spikes are found.
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_repair.hpp>
 #include <fstiff/topography/form.hpp>
+#include <fstiff/topography/map_repair.hpp>
 
 #include "support/catch.hpp"
 #include "support/fractional_brownian.hpp"

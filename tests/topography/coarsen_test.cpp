@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: block means.
+#include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the definition, for a map of a few points and for a monotone function of a map.
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

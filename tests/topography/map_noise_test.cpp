@@ -3,6 +3,7 @@
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include <fstiff/synthetic/self_affine.hpp>
+#include <fstiff/topography/white_noise.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

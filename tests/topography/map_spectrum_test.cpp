@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: maps of few waves, whose spectrum is known; Parseval's sum; sums of cosines written out; the mirrored map
 // written out.
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include "support/accuracy.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Holes are filled by the heights that are harmonic in five points; spikes are found where they were put.
 #include <fstiff/topography/form.hpp>
+#include <fstiff/topography/map_repair.hpp>
 
 #include "support/catch.hpp"
 

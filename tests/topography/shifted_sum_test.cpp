@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the lower face written out with its mirror images.
 #include <fstiff/topography/height_map.hpp>
+#include <fstiff/topography/sum_of_maps.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reflection and stiffness of a spring interface against wider arithmetic, closed forms, energy and published values.
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

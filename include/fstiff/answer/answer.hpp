@@ -22,6 +22,7 @@
 #include <fstiff/answer/joint.hpp>
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/topography/edges.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -31,7 +32,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// How an answer is computed.
 struct AnswerOptions {
@@ -128,4 +129,4 @@ struct Answer {
 [[nodiscard]] std::shared_ptr<const AnyContact> contact_of(const Joint& joint, const ChosenLaw& law,
                                                            const AnswerOptions& options = {});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 template <Real T>
 class ContactLaw;
@@ -43,4 +43,4 @@ public:
     [[nodiscard]] virtual ContactLaw<double> tabulate(const LawRange<double>& range) const;
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -15,6 +15,8 @@
 
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/derived.hpp>
+#include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 
 #include <algorithm>
@@ -23,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// A ball under one load.
 struct BallOnFace {
@@ -84,4 +86,4 @@ struct BallOnFace {
     return balls;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
+/// The functions of answer/bands.hpp: inline, or compiled once (docs/linking-cpp.md).
 
+#include <fstiff/answer/band_parts.hpp>
+#include <fstiff/answer/bands.hpp>
 #include <fstiff/answer/curves.hpp>
 
-#include <fstiff/answer/problem.hpp>
-
 #include <fstiff/answer/band.hpp>
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/quick_hybrids.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/unknowns.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +23,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// What a band draws of a surface in addition to its parameters.
 struct FurtherDraw {
@@ -355,4 +361,4 @@ FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std
     return failed;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Ends of a band, the part of one cause or the error of a law, as ln of K over the value: 5 and 95 %, low at most 0,
 /// high at least 0.
@@ -85,4 +85,4 @@ template <Real T>
     return shares;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -29,12 +29,9 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
-
-namespace detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 template <Real T>
 inline constexpr T min_gaussian_product = T(0.0249);  ///< least sigma R D_p of an isotropic Gaussian surface
@@ -198,4 +195,4 @@ template <Real T>
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

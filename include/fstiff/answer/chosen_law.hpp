@@ -6,7 +6,7 @@
 
 #include <fstiff/answer/law_names.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -53,4 +53,4 @@ inline constexpr ChosenLaw fractal{LawName::fractal, detail::law_rows::fractal},
     proportional{LawName::proportional, detail::law_rows::proportional};
 
 }  // namespace laws
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -3,6 +3,7 @@
 /// \file
 /// Reasons to doubt a result: each with its numbers and its limit. answer/checks.hpp makes them.
 
+#include <fstiff/answer/face.hpp>
 #include <fstiff/core/numbers.hpp>
 
 #include <array>
@@ -10,7 +11,7 @@
 #include <limits>
 #include <string_view>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Reasons to doubt a result.
 enum class Concern {
@@ -74,4 +75,4 @@ struct Check {
     [[nodiscard]] bool holds() const { return violations == 0; }
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -3,7 +3,13 @@
 /// \file
 /// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
 
+#include <fstiff/answer/answer_curve.hpp>
+#include <fstiff/answer/bands.hpp>
+#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/request.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +18,7 @@
 #include <span>
 #include <utility>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 inline constexpr Quantity of_answer = Quantity::pressure | Quantity::separation | Quantity::stiffness |
                                       Quantity::real_area_fraction | Quantity::contact_density |
@@ -242,4 +248,20 @@ FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, c
     return result;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+FSTIFF_INLINE std::string reason_of(const Problem& problem, const MissedPoint& missed, double pressure,
+                                    std::string (*text)(double pressure)) {
+    std::string unit;
+    for (const Check<double>& check : unlikely_units(problem, {})) unit += "; " + sentence_of_unit(check);
+    switch (missed.why) {
+        case Miss::law: return missed.reason;
+        case Miss::range: return "a result is beyond the range of double precision";
+        case Miss::hardness:
+            return text(pressure) + (pressure > missed.limit ? " is above the hardness (" : " reaches the hardness (") +
+                   text(missed.limit) + "): the contact is closed" + unit;
+        case Miss::closed:
+            return "above " + text(missed.limit) + " the contact is closed and the bulk carries the load" + unit;
+    }
+    return "";
+}
+
+}}}  // namespace fstiff::detail

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/problem.hpp: inline, or compiled once (docs/linking-cpp.md).
+/// The functions of answer/face.hpp: inline, or compiled once (docs/linking-cpp.md).
 
-#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/face.hpp>
 
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/measure/uncertain_sum.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Whether sigma, R and D_p of \p face are those that were measured.
 FSTIFF_INLINE bool is_as_measured(const Face& face) {
@@ -190,4 +192,4 @@ FSTIFF_INLINE Face sum_of_faces(const Face& upper, const Face& lower, int shifts
     return in_order ? sum_in_order(upper, lower, shifts, seed) : sum_in_order(lower, upper, shifts, seed);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

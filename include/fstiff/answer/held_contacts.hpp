@@ -5,6 +5,9 @@
 
 #include <fstiff/answer/laws.hpp>
 
+#include <fstiff/contact/contact.hpp>
+#include <fstiff/contact/contact_curve.hpp>
+#include <fstiff/contact/load_weighted.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/mean_over_shifts.hpp>
@@ -16,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Whether \p Contact is a mean over contacts that can be tabulated.
 template <class Contact>
@@ -144,4 +147,4 @@ std::unique_ptr<AnyContact> mean_over(std::vector<Contact> contacts) {
     return held(MeanOverShifts<Contact>(std::move(contacts)));
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

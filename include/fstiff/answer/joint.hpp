@@ -18,13 +18,14 @@
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 
 #include <memory>
 #include <optional>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 struct Face;
@@ -134,4 +135,4 @@ struct Joint {
     std::optional<Friction> friction{};
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

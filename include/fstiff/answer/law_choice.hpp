@@ -18,7 +18,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// p* to which hybrid and persson were compared (tests/contact/hybrid_of_band_test.cpp); beyond it the contact is
 /// closed.
@@ -59,4 +59,4 @@ template <Real T>
     throw domain_error("no law answers: the surface must have a height and a gradient, or a map");
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

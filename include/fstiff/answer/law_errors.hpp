@@ -18,6 +18,7 @@
 
 #include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/law_names.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/measurement.hpp>
 
@@ -28,7 +29,7 @@
 #include <limits>
 #include <optional>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The form in which a law has a surface.
 enum class KnownAs {
@@ -134,4 +135,4 @@ template <Real T>
     return {-width, width};
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

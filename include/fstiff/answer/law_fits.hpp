@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// A measured curve and how it is fitted.
 struct FitInputs {
@@ -29,4 +29,4 @@ struct FitInputs {
 /// Fits the parameters of any curve, by differences. \throws as detail::identify_by_differences.
 [[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const CurveOfParameters<double>& curve);
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -7,7 +7,7 @@
 #include <fstiff/answer/laws.hpp>
 #include <fstiff/asperity/laws.hpp>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 FSTIFF_INLINE std::vector<std::string_view> fitted_law_names() {
     std::vector<std::string_view> names;
@@ -33,4 +33,4 @@ FSTIFF_INLINE Identification<double> fit_curve(const FitInputs& inputs, const Cu
     return detail::identify_by_differences(inputs.data, inputs.parameters, inputs.start, curve, inputs.options);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

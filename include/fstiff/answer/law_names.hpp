@@ -7,7 +7,7 @@
 
 #include <fstiff/core/names.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// The laws of contact.
 enum class LawName {
@@ -43,4 +43,4 @@ inline constexpr auto names<LawName> = detail::name_list<LawName>({{LawName::fra
                                                                    {LawName::boundary_elements, "boundary_elements"},
                                                                    {LawName::proportional, "proportional"}});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

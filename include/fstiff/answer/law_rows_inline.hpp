@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 namespace law_rows {
 
@@ -208,4 +208,4 @@ FSTIFF_INLINE const Law* find_law(std::string_view name) {
     return match ? &find_law(*match) : nullptr;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -12,9 +12,12 @@
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/edges.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/summits.hpp>
@@ -34,7 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
 [[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
@@ -189,12 +192,12 @@ struct Law {
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 template <>
 inline constexpr auto names<detail::SpectrumSource> = detail::name_list<detail::SpectrumSource>(
     {{detail::SpectrumSource::map, "map"}, {detail::SpectrumSource::moments, "moments"}});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -5,18 +5,22 @@
 
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/answer/held_contacts.hpp>
+#include <fstiff/answer/laws.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/peaks/single_radius.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 FSTIFF_INLINE ContactLaw<double> AnyContact::tabulate(const LawRange<double>&) const {
     throw domain_error(
@@ -189,5 +193,10 @@ std::unique_ptr<AnyContact> of_map(const ContactInputs& inputs) {
 }
 
 }  // namespace law_rows
+FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
+    if (shape.is_gaussian()) return nullptr;
+    return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
+}
+
 }  // namespace detail
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

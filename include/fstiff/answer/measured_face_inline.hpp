@@ -4,8 +4,11 @@
 /// A measured surface as the laws take it: measured_face() of answer/joint.hpp, in fstiff/implementation.hpp and in
 /// fstiff::double.
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/measured_map.hpp>
 #include <fstiff/answer/measured_map_inline.hpp>
 #include <fstiff/measure/measure.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 
 #include <memory>
@@ -13,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -87,4 +90,4 @@ FSTIFF_INLINE std::shared_ptr<const MeasuredFace> measured_face(Surface<double> 
     return measured_face(std::make_shared<const Surface<double>>(std::move(surface)));
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

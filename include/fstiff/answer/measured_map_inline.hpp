@@ -4,17 +4,26 @@
 /// A measured map as the laws take it: its summits, its bearing curve, its cuts, and boundary elements of it. The class
 /// of MapOfSurface: inline, or compiled once (docs/linking-cpp.md).
 
+#include <fstiff/answer/answer_curve.hpp>
 #include <fstiff/answer/held_contacts.hpp>
-#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/measured_map.hpp>
+#include <fstiff/answer/request.hpp>
 #include <fstiff/answer/solved_map_inline.hpp>
 #include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/boundary_element_contact.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
+#include <fstiff/profile/tip_lengths.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/sum_of_maps.hpp>
+#include <fstiff/topography/white_noise.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The crowded contacts of maps by their bearing curves, and their highest points. They cost a sort and a transform of
 /// each map, so that they are made when a law first asks for them; all copies of a surface share them.
@@ -276,4 +285,4 @@ FSTIFF_INLINE std::shared_ptr<const MapOfSurface> map_of_surface(
     return made;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
+/// The functions of answer/quick_hybrids.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/laws.hpp>
+#include <fstiff/answer/quick_hybrids.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/similar_hybrids.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <cmath>
 #include <functional>
@@ -15,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// d of one surface over ln p, an e-fold after the other from 0.7 E g downwards: the integral of p/K by the parabola
 /// through three of its values, and cubics between half e-folds.
@@ -156,15 +162,4 @@ FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma
     return std::make_shared<const HybridsOfNumbers>(gamma);
 }
 
-}  // namespace fstiff::inline v0_1::detail
-
-// The functions of answer/laws.hpp: inline, or compiled once (docs/linking-cpp.md).
-
-namespace fstiff::inline v0_1::detail {
-
-FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
-    if (shape.is_gaussian()) return nullptr;
-    return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
-}
-
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -2,11 +2,19 @@
 #pragma once
 /// \file
 /// A joint as it is given becomes a Problem: what is written counts before what was measured, and that before a prior.
-/// Functions of answer/problem.hpp: inline, or compiled once (docs/linking-cpp.md).
+/// Functions of answer/resolve.hpp: inline, or compiled once (docs/linking-cpp.md).
 
-#include <fstiff/answer/problem.hpp>
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/resolve.hpp>
 
+#include <fstiff/answer/unknowns.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <cmath>
 #include <limits>
@@ -15,7 +23,7 @@
 #include <tuple>
 #include <utility>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 using Given = std::optional<double>;
 
@@ -296,4 +304,4 @@ FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) 
     return problem;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

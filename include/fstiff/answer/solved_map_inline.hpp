@@ -2,21 +2,28 @@
 #pragma once
 /// \file
 /// The map of a joint solved by boundary elements at the points of a request: where they count, K there and between
-/// solved points, and how it changes with the cut-offs. For answer/elements_inline.hpp.
+/// solved points, and how it changes with the cut-offs. For answer/answer_curve_inline.hpp.
 
+#include <fstiff/answer/answer_curve.hpp>
+#include <fstiff/answer/band_parts.hpp>
 #include <fstiff/answer/curves.hpp>
 
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/halfspace/truth.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
+#include <fstiff/topography/white_noise.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Whether the share \p area can carry \p pressure at \p hardness (0: elastic): of few points the solver may find too
 /// few.
@@ -274,4 +281,4 @@ FSTIFF_INLINE std::vector<Solved> boundary_elements_of(const Problem& problem, c
     return solved;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

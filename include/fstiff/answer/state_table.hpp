@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Weights of the polynomial through values at the places \p first to \p last, at the place \p t.
 template <int first, int last>
@@ -118,4 +118,4 @@ private:
     std::vector<ContactPoint<double>> nodes_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -23,7 +23,7 @@
 #include <limits>
 #include <string_view>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// k of the bodies in series, 2 k1 k2/(k1 + k2); 0 where one does not conduct. \throws domain_error unless both are
 /// finite and not negative.
@@ -120,4 +120,4 @@ template <Real T>
 }
 
 }  // namespace detail
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -21,7 +21,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The ellipse of contact of two principal curvatures.
 template <Real T = double>
@@ -99,4 +99,4 @@ template <Real T>
             std::numbers::pi_v<T> * radius * ellipse.size_factor * ellipse.size_factor / f2, ellipse.axis_ratio};
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -17,11 +17,12 @@
 ///             that (tests/asperity/fractal_asperity_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <algorithm>
 #include <numbers>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// q = 1 - cos(pi l_t/l) of eq. (3.4), formed as 2 sin^2(pi l_t/(2l)): no digits are lost for small l_t/l.
 /// \throws domain_error unless l > 0 and 0 <= l_t <= l.
@@ -165,4 +166,4 @@ private:
     T share_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

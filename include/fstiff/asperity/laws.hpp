@@ -20,7 +20,7 @@
 
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Asperity law as a contact needs it: load/E [m^2], stiffness/E [m] and area [m^2] of one asperity, for
 /// approaches \p omega [m] (a number or an Eigen array) and the radius \p radius [m].
@@ -144,4 +144,4 @@ struct FractalConsistentLaw : ElasticLaw<T> {
                         detail::log_stiffness_factor_slope(fractal_dimension)) {}
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

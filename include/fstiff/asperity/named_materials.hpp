@@ -16,24 +16,24 @@
 /// Valid       the material that the source names; conductivities from [C] are those of pure metals, alloys have less
 /// Accuracy    moduli some 5 %, cast iron 103 to 118 GPa; by density and velocities (tests/asperity)
 
+#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/material.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Units of hardness, as mean pressures [Pa]; HB is that of steel, HBA that of aluminium and magnesium.
 inline constexpr double HV = vickers_pressure, HB = 1.05 * HV, HBA = 1.14 * HV, GPa = 1e9;
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A row of the table.
 ///
@@ -77,9 +77,9 @@ struct NamedMaterial {
     }
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 // clang-format off
 inline constexpr std::array<NamedMaterial, 44> named_materials{
@@ -152,9 +152,9 @@ template <class Test>
     return false;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// The row of \p name, or nullptr.
 [[nodiscard]] constexpr const NamedMaterial* find_material(std::string_view name) {
@@ -164,9 +164,9 @@ namespace fstiff::inline v0_1 {
     return nullptr;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Beginning of names that the table does not have, or with $ a whole one, with # for one digit or more, and the row
 /// that is nearest.
@@ -237,4 +237,4 @@ inline constexpr auto material_hints = std::to_array<MaterialHint>({
     return names;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

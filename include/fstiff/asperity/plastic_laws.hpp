@@ -21,7 +21,7 @@
 
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Constants of the softer of the two bodies, and the modulus of their contact.
 template <Real T = double>
@@ -229,4 +229,4 @@ private:
     T k_{}, hard_{}, critical_strain_{};
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

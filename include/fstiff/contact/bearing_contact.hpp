@@ -16,6 +16,7 @@
 /// Accuracy    rho 1e-6, K 2e-5, separation 1e-5 of the rms height, of ScaledContact 1e-4
 ///             (tests/contact/bearing_contact_test.cpp, tests/contact/scaled_contact_test.cpp)
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/persson_contact.hpp>
@@ -23,11 +24,14 @@
 #include <fstiff/math/quadrature.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <memory>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// d_g/sigma of Persson's contact over ln p, by cubics between knots, up to 2 E g and down to where it is \p furthest.
 template <Real T>
@@ -79,9 +83,9 @@ private:
     std::vector<Knot> knots_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// The crowded contact of a surface with a bearing curve, or without one.
 template <Real T = double>
@@ -321,4 +325,4 @@ private:
 template <class C, class Bearing>
 ScaledContact(C, Bearing) -> ScaledContact<std::remove_cvref_t<decltype(std::declval<C>().rms_height())>, C>;
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

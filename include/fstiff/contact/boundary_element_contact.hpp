@@ -15,6 +15,7 @@
 /// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
 ///             (tests/contact/boundary_element_contact_test.cpp)
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/halfspace/truth.hpp>
@@ -27,7 +28,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Contact of a map on an elastic half space, or on one with a hardness. The separation is the mean gap of the deformed
 /// faces; the pressure at a separation is found by Newton's method with K as the slope.
@@ -116,4 +117,4 @@ private:
     HeightMap<T> map_;
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

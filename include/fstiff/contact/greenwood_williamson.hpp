@@ -15,8 +15,9 @@
 
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Contact of spherical peaks of equal radius with Hertz's law: RoughContact with SingleRadius.
 template <Real T = double>
@@ -28,4 +29,4 @@ struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, SingleRadius<T>> {
                                                         effective_modulus, options) {}
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -5,7 +5,7 @@
 
 #include <fstiff/core/numbers.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Depth to which the peaks are pressed in, as means over the load that they carry.
 template <Real T = double>
@@ -14,4 +14,4 @@ struct LoadMeans {
     Estimate<T> radius_ratio;  ///< of a/R
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

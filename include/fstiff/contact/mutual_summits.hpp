@@ -16,6 +16,7 @@
 /// Cost        5 ms for 200 contacts, 40 ms for 1100, 0.5 s for 4800
 
 #include <fstiff/asperity/elliptic_hertz.hpp>
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -23,7 +24,7 @@
 #include <fstiff/peaks/quantity.hpp>
 #include <fstiff/topography/summits.hpp>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Effect of the push of the others on the contacts, a measure of the range of the law.
 template <Real T = double>
@@ -342,4 +343,4 @@ private:
     std::vector<EllipticHertz<T>> hertz_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -21,6 +21,8 @@
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/math/quadrature.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/gradient_spectrum.hpp>
 #include <fstiff/surface/spectrum.hpp>
 
 // Stiffness of elastic contact far from both ends of the load: proportional to the pressure, whatever the peaks.
@@ -34,7 +36,7 @@
 // Accuracy    a fifth of K there, a factor of 2 for p* of 0.002 to 0.25 (docs/validation.md,
 //             tests/docs/validation_test.cpp)
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 template <Real T>
 inline constexpr T linear_law_factor = T(0.48);  ///< gamma
@@ -48,9 +50,9 @@ template <Real T>
     return pressure / (linear_law_factor<T> * rms_height);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -359,4 +361,4 @@ private:
     std::vector<double> inverse_, weight_;  ///< 1/G and the weights of f, panel by panel from the top
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -15,17 +15,22 @@
 /// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks; K of Gaussian numbers within 15 % of boundary
 ///             elements at 95 of 100 points (tests/contact/plastic_contact_map_test.cpp)
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/math/normal_distribution.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
+#include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 
 #include <memory>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -300,4 +305,4 @@ template <class Elastic, class Cut, class Number>
 PlasticContact(Elastic, Cut, Number)
     -> PlasticContact<std::remove_cvref_t<decltype(std::declval<Elastic>().rms_height())>, Elastic, Cut>;
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

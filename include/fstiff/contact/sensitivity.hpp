@@ -15,15 +15,17 @@
 /// Accuracy    1e-11 of K per relative change, 1e-10 for r and theta near pi/2, else 1e-8
 ///             (tests/contact/sensitivity_test.cpp)
 
+#include <fstiff/contact/load_weighted.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/peak_sums.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/moments.hpp>
 
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// K at a pressure and its derivatives at constant pressure.
 template <Real T = double>
@@ -305,4 +307,4 @@ template <Real T, class Law, class Peaks>
     return out;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

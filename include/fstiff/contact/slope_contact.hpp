@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Numbers of panels or knots, each computed when it is first asked for. Copies share them; threads that ask at once
 /// compute the same number.
@@ -119,4 +119,4 @@ private:
     }
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -15,6 +15,7 @@
 /// Accuracy    sums 1e-14 (tests/contact/summit_contact_test.cpp)
 
 #include <fstiff/asperity/elliptic_hertz.hpp>
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/math/root.hpp>
@@ -23,7 +24,7 @@
 
 #include <iterator>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -148,4 +149,4 @@ private:
     std::vector<T> height_, load_factor_, area_factor_;  ///< the highest first
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

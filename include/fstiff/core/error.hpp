@@ -22,7 +22,7 @@
 #include <string_view>
 #include <utility>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Place in a file.
 struct Place {
@@ -223,4 +223,4 @@ constexpr void require_positive(std::string_view parameter, T value) {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -21,7 +21,7 @@
 #include <array>
 #include <optional>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -115,4 +115,4 @@ template <detail::NamedEnum Enum>
     detail::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + detail::choices_text<Enum>());
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

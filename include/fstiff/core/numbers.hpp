@@ -10,7 +10,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A floating-point scalar: float or double.
 template <class T>
@@ -36,4 +36,4 @@ template <Real T>
             estimate.evaluations};
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -15,7 +15,7 @@
 
 // Progress of a long computation, reported to its caller; the library itself prints nothing.
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Called with the name of the part that runs and how much of it is done: \p done of \p total, done < total; from the
 /// thread that computes, a few hundred times or more. An exception from it ends the computation and reaches the caller.
@@ -50,4 +50,4 @@ void run_pieces(const ParallelHook& hook, std::size_t count, const Call& call) {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -26,7 +26,7 @@
 #include <string>
 #include <system_error>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_hexadecimal_digit(char c) {
@@ -193,4 +193,4 @@ template <Real T>
     }
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

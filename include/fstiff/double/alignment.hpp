@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 template <int Dynamic, int Static, bool ByMalloc>
 int fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than();
@@ -20,4 +20,4 @@ int fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than();
     fstiff_double_has_another_EIGEN_MAX_ALIGN_BYTES_than<EIGEN_DEFAULT_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES,
                                                          EIGEN_MALLOC_ALREADY_ALIGNED != 0>();
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

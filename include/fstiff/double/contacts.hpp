@@ -12,10 +12,12 @@
 #include <fstiff/double/models.hpp>
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/identify/identify.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 FSTIFF_DOUBLE class RoughContact<double, FractalLaw<double>>;
 FSTIFF_DOUBLE class RoughContact<double, FractalConsistentLaw<double>>;
@@ -43,4 +45,4 @@ FSTIFF_DOUBLE TangentialLaw<double>::Response<2> TangentialLaw<double>::step(con
 FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, HertzLaw<double>>&, double);
 FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, FractalLaw<double>>&, double);
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

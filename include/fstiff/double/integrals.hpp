@@ -10,10 +10,10 @@
 #define FSTIFF_DOUBLE extern template
 #endif
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 FSTIFF_DOUBLE double detail::visit_nodes(const detail::PeakProblem<double>&, double, detail::PeakAccumulator<double>&);
 FSTIFF_DOUBLE Estimate<double> contact_integral(double, double, const PeakDistribution<double>&, double,
                                                 const IntegralOptions<double>&);
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

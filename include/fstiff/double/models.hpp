@@ -16,7 +16,7 @@
 #include <fstiff/identify/identify.hpp>
 #include <fstiff/tabulated/law_tabulator.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 FSTIFF_DOUBLE class RoughContact<double, HertzLaw<double>>;
 FSTIFF_DOUBLE class RoughContact<double, PlasticLaw<double>>;
@@ -52,4 +52,4 @@ FSTIFF_DOUBLE math::LeastSquaresFit<double> math::least_squares(const Eigen::Vec
                                                                 const detail::FitCurve<double>&,
                                                                 const math::LeastSquaresOptions<double>&);
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -11,11 +11,14 @@
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/measure/sections.hpp>
 #include <fstiff/profile/all_lags.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
@@ -31,7 +34,7 @@
 #define FSTIFF_DOUBLE extern template
 #endif
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 FSTIFF_DOUBLE FractalFit<double> detail::fit_measured(const MeasuredStructureFunction<double>&,
                                                       const FractalFitOptions<double>&, double);
@@ -105,4 +108,5 @@ FSTIFF_DOUBLE Profile<double> detail::detrend(const Profile<double>&, Form);
 FSTIFF_DOUBLE class detail::LineFitter<double>;
 FSTIFF_DOUBLE class BearingSlope<double>;
 
-}  // namespace fstiff::inline v0_1
+
+}}  // namespace fstiff

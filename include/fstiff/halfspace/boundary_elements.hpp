@@ -20,6 +20,7 @@
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
+#include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
@@ -29,7 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Options of the solution of the half space.
 template <Real T = double>
@@ -382,4 +383,4 @@ typename BoundaryElements<T>::Solution BoundaryElements<T>::held(T most) const {
     return {contact.compliance, contact.residual, contact.iterations};
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -22,14 +22,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Result of conjugate gradients.
 template <Real T = double>
@@ -231,4 +230,4 @@ private:
     SurfaceCompliance<T> compliance_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Border between the sum over images and the grid: 2e-9 of the largest deflection.
 struct FineSplit {
@@ -264,4 +264,4 @@ private:
     std::vector<T> near_value_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -26,7 +26,7 @@
 #include <numbers>
 #include <utility>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Multiplies each wave of a field by a number.
 template <Real T>
@@ -129,4 +129,4 @@ private:
     WaveFactors<T> compliance_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

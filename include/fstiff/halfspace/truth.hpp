@@ -14,15 +14,15 @@
 ///             side the error of 27 against 512 is less (tests/halfspace/truth_test.cpp)
 
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <type_traits>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Options of the truth of a map.
 template <Real T = double>
@@ -81,4 +81,4 @@ template <Real T, class Pressures>
     return points;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

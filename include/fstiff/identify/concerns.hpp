@@ -19,7 +19,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/identify/identify.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Possible faults of a fit.
 enum class FitConcern {
@@ -149,4 +149,4 @@ template <Real T>
     return findings;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -19,7 +19,7 @@
 #include <functional>
 #include <span>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// K [Pa/m] at pressures [Pa] of a contact with the given parameters; the offset is in the pressures already.
 /// \throws domain_error without one.
@@ -99,4 +99,4 @@ template <Real T>
     return fit_of(model, start, options.search);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -14,8 +14,9 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/surface/parameter.hpp>
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Values of all parameters: those that are fitted start from here, the others stay.
 template <Real T = double>
@@ -236,4 +237,4 @@ private:
 };
 
 }  // namespace detail
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

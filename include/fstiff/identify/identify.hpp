@@ -17,12 +17,13 @@
 
 #include <fstiff/identify/fit_problem.hpp>
 #include <fstiff/math/least_squares.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/parameter.hpp>
 
 #include <limits>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Observations and options of a fit.
 template <Real T = double>
@@ -245,4 +246,4 @@ template <Real T, class MakeLaw>
     return detail::fit_of(model, start, options.search);
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -29,7 +29,7 @@
 #include <variant>
 #include <vector>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff { inline namespace v0_1 { namespace io {
 
 /// Forms of files that are read.
 enum class SurfaceFormat {
@@ -59,9 +59,9 @@ enum class SurfaceFormat {
 /// increment that must not be applied.
 enum class X3pIncrement { apply, ignore };
 
-}  // namespace fstiff::inline v0_1::io
+}}}  // namespace fstiff::io
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 template <>
 inline constexpr auto names<io::SurfaceFormat> = fstiff::detail::name_list<io::SurfaceFormat>({
@@ -80,9 +80,9 @@ template <>
 inline constexpr auto names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
     {{io::X3pIncrement::apply, "apply"}, {io::X3pIncrement::ignore, "ignore"}});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff { inline namespace v0_1 { namespace io {
 
 /// Form, other than a table of numbers, that begins like \p bytes; automatic where none matches.
 [[nodiscard]] SurfaceFormat form_of_first_bytes(std::string_view bytes);
@@ -204,4 +204,4 @@ struct ReadSurface {
     return detail::surface_of(detail::read(path, options));
 }
 
-}  // namespace fstiff::inline v0_1::io
+}}}  // namespace fstiff::io

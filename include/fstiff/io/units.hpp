@@ -17,7 +17,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff { inline namespace v0_1 { namespace io {
 
 /// Kinds of quantities that have units.
 enum class Dimension {
@@ -39,9 +39,9 @@ enum class Dimension {
     temperature
 };
 
-}  // namespace fstiff::inline v0_1::io
+}}}  // namespace fstiff::io
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Name of a kind in messages.
 template <>
@@ -64,9 +64,9 @@ inline constexpr auto names<io::Dimension> = fstiff::detail::name_list<io::Dimen
     {io::Dimension::temperature, "temperature"},
 });
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff { inline namespace v0_1 { namespace io {
 
 /// Value of one \p unit of \p dimension in SI units; of length, powers of ten of one too: "10 nm", "x10 nm", "10^-6 m".
 /// \throws domain_error listing the accepted units.
@@ -78,32 +78,4 @@ namespace fstiff::inline v0_1::io {
 /// Units of \p dimension as messages list them: "m, km, cm, mm, um".
 [[nodiscard]] std::string accepted_units(Dimension dimension);
 
-}  // namespace fstiff::inline v0_1::io
-
-// Numbers with a unit, as in a scene, on a command line or in the header of a measured file.
-//
-//     parse_quantity("0.832 um", Dimension::length, "rms_height")   8.32e-7
-//     parse_angle("pi/4", "theta")                                  0.785...
-//
-// <fstiff/io/units.hpp> lists the spellings of units, which follow after blanks or directly. The decimal sign is the
-// point in every locale.
-//
-// Units       result in SI: m, m^2, 1/m^2, Pa, rad, Hz, m/s, kg/m^3, kg/(m^2 s), Pa/m
-// Valid       finite decimal numbers; "inf", "nan", hexadecimal and anything left over are refused
-// Accuracy    correctly rounded for every unit that is a power of ten of the SI unit; else (in, psi, deg) 2 ulp
-//             (tests/io/quantity_test.cpp)
-
-namespace fstiff::inline v0_1::io {
-
-/// A decimal number without a unit. \throws domain_error naming \p name when \p text is anything else.
-[[nodiscard]] double parse_number(std::string_view text, std::string_view name);
-
-/// A number and its unit, in SI units; angles as parse_angle reads them.
-/// \throws domain_error naming \p name, the text and the accepted units; a bare number is refused.
-[[nodiscard]] double parse_quantity(std::string_view text, Dimension dimension, std::string_view name);
-
-/// An angle [rad]: "pi/4", "2*pi/7", "0.25 pi", "45 deg", "0.7 rad", or a bare number of radians.
-/// \throws domain_error naming \p name and the accepted forms.
-[[nodiscard]] double parse_angle(std::string_view text, std::string_view name);
-
-}  // namespace fstiff::inline v0_1::io
+}}}  // namespace fstiff::io

@@ -22,22 +22,22 @@
 #include <iosfwd>
 #include <string>
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff { inline namespace v0_1 { namespace io {
 
 /// Layout of the text of a map.
 enum class MapForm { automatic, triples, matrix };
 
-}  // namespace fstiff::inline v0_1::io
+}}}  // namespace fstiff::io
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 template <>
 inline constexpr auto names<io::MapForm> = fstiff::detail::name_list<io::MapForm>(
     {{io::MapForm::automatic, "automatic"}, {io::MapForm::triples, "triples"}, {io::MapForm::matrix, "matrix"}});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::io {
+namespace fstiff { inline namespace v0_1 { namespace io {
 
 /// Writes a profile as text.
 /// \throws domain_error when the profile is not valid, file_error when the output fails.
@@ -58,4 +58,4 @@ void write_sdf(std::ostream& output, const HeightMap<double>& map, const SdfOpti
 /// Writes a file of one profile, whose Yscale is the spacing too.
 void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOptions& options = {});
 
-}  // namespace fstiff::inline v0_1::io
+}}}  // namespace fstiff::io

@@ -20,7 +20,7 @@
 #include <numbers>
 #include <vector>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// Does not allocate.
 template <Real T = double>
@@ -208,4 +208,4 @@ private:
     std::array<std::array<T, size>, size> inverse_;  ///< by columns
 };
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 template <Real T>
 T dot(const T* a, const T* b, Eigen::Index count) {
@@ -261,4 +261,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

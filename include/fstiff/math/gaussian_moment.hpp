@@ -22,7 +22,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// The pieces of the tables: eighths of the octaves of |x| + 2 for |x| < moment_far, and one beyond; for x < 0 too.
 inline constexpr int moment_far = 30, pieces_a_side = 33;
@@ -158,4 +158,4 @@ template <Real T>
     return with_power(a, [x]<int TwiceA>() { return scaled_moment<TwiceA>(x) * (x > 0 ? gaussian(x) : T(1)); });
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 // clang-format off
 /// main: a = 0, 1/2, 1, 3/2 side by side; side: a = -1/2, 5/2
@@ -164,4 +164,4 @@ struct ErfTable {
 };
 // clang-format on
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -11,10 +11,11 @@
 /// Accuracy    1e-15 of the largest number times w (tests/math/gaussian_smoother_test.cpp); weights below 1e-17 are 0
 
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/fft_of_lines.hpp>
 
 #include <numbers>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// The sums above for data of one size; keeps the transform of the weights from call to call.
 template <Real T = double>
@@ -83,4 +84,4 @@ private:
     std::vector<T> re_, im_;
 };
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

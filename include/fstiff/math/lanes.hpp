@@ -15,7 +15,7 @@
 
 #include <array>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 template <Real T, int N>
 using PacketOf = std::conditional_t<N == 1, T, typename Eigen::internal::find_best_packet<T, N>::type>;
@@ -129,4 +129,4 @@ struct Lanes<T, N, false> {
     }
 };
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace math {
 
@@ -169,4 +169,4 @@ template <Real T, class Evaluate>
 
 }  // namespace math
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -30,7 +30,7 @@
 // Valid       y >= 0, infinity included
 // Accuracy    4 epsilon relative (tests/math/gaussian_moment_test.cpp), 3e-5 by the rough polynomials
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// c[0] + c[1] u + c[2] u^2 + ..., even and odd powers apart: one sum alone waits for each multiplication.
 EIGEN_ALWAYS_INLINE Lanes<double, 8> polynomial(std::span<const double> c, const Lanes<double, 8>& u) {
@@ -154,4 +154,4 @@ template <Real T>
     return static_cast<T>(z);
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -20,7 +20,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +27,7 @@
 #include <limits>
 #include <vector>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// The bits of a float or double as a number: for numbers from 0 on they are in the order of the numbers, and those of
 /// all negative numbers and NaN come after that of infinity.
@@ -247,4 +246,4 @@ struct UniformPieces {
     }
 };
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -24,7 +24,7 @@
 #include <numeric>
 #include <utility>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// End of a search for a root.
 enum class RootStatus {
@@ -140,4 +140,4 @@ template <Real T, class F>
     return newton_of(sloped, lower, upper, guess, tolerance, max_iterations);
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -29,7 +29,7 @@
 #include <string>
 #include <utility>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 enum class RoundShape { circle, sphere, cylinder };
 
@@ -160,4 +160,4 @@ template <class EachPoint>
     return fit_round(shape == RoundShape::cylinder ? cylinder_of_quadratic(each) : RoundSurface{shape}, radius, each);
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

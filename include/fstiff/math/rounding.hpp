@@ -26,7 +26,7 @@
 // Accuracy    a compensated sum of n terms: 2 epsilon of it and n^2 epsilon^2 of the sum of the magnitudes
 //             (tests/math/accumulate_test.cpp)
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// A sum as rounded, and its rounding error.
 template <Real T = double>
@@ -120,4 +120,4 @@ void require_more_than_rounding(const std::string& surface, std::string_view for
                            "heights; must be of varying height");
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

@@ -20,7 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace fstiff::inline v0_1::math {
+namespace fstiff { inline namespace v0_1 { namespace math {
 
 /// Long waves of a profile or a map by a robust filter.
 template <class Surface>
@@ -143,4 +143,4 @@ template <Real F, class Exists, class Sum, class Weight, class Value>
     return result;
 }
 
-}  // namespace fstiff::inline v0_1::math
+}}}  // namespace fstiff::math

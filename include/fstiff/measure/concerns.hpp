@@ -9,10 +9,11 @@
 /// Valid       results of fit_fractal(), fit_spectrum() and surface_parameters()
 
 #include <fstiff/measure/parameters.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
 #include <fstiff/surface/moments.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Reasons to doubt a measured surface; the limits are this project's.
 ///
@@ -196,4 +197,4 @@ namespace detail {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -18,8 +18,10 @@
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/parameters.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
+#include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -46,7 +48,7 @@
 // Valid       form removed before; at least 64 points with triples of neighbours
 // Accuracy    1e-12 of plain sums (tests/measure/height_statistics_test.cpp)
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Skewness, kurtosis, gradient and moments of a surface; the first three have standard errors.
 template <Real T = double>
@@ -166,9 +168,9 @@ template <Real T>
     return detail::statistics_of(sums, rms);
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Skewness and kurtosis of heights; the default is a Gaussian surface.
 template <Real T = double>
@@ -290,4 +292,4 @@ private:
     std::vector<T> heights_;  // rising once departure() was asked for
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

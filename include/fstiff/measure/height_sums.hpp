@@ -14,6 +14,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 #include <fstiff/surface/moments.hpp>
@@ -26,7 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Sums over points and triples of neighbours; heights relative to the mean, in any unit.
 template <Real S>
@@ -155,4 +156,4 @@ EstimateSpread<S> resample_cells(const std::vector<HeightSums<S>>& cells, std::s
     return spread;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

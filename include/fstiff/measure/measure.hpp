@@ -25,7 +25,7 @@
 #include <tuple>
 #include <utility>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A measured surface: its parameters with standard errors, and their origin.
 template <Real T = double>
@@ -308,8 +308,13 @@ Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
     return measure(HeightMap<T>(map), options);
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
 #ifdef FSTIFF_COMPILED  // in fstiff::double, with all that a measurement consists of
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 #endif

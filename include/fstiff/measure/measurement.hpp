@@ -5,7 +5,7 @@
 
 #include <fstiff/core/numbers.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A measured value and its standard error.
 template <Real T = double>
@@ -13,4 +13,4 @@ struct Measurement {
     T value{}, error{};
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -10,6 +10,7 @@
 
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/measure/parameters.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <Eigen/Core>
 
@@ -17,7 +18,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -101,4 +102,4 @@ struct MeasureOptions {
     ParallelHook parallel{};  ///< of the surface, its neighbours and parts of each; the results are equal
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

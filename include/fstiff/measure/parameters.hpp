@@ -20,13 +20,17 @@
 #include <fstiff/measure/height_sums.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/uncertain_surface.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <array>
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Kind of the peaks of a map.
 enum class PeakSource {
@@ -350,4 +354,4 @@ SurfaceParameters<T> surface_parameters(const LevelledMap<T>& levelled, const Su
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -14,9 +14,11 @@
 /// Accuracy    shares 0.02, place of a step along x or y one part (tests/measure/plain_form_test.cpp)
 
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
+#include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <Eigen/Core>
@@ -42,7 +44,7 @@
 // Accuracy    0.1 % of 9,600 self-affine profiles (H = 0.2 to 1) repeat themselves to 0.5; all sines and parabolic
 //             grooves with isotropic roughness of 0.5 of their rms height do (tests/measure/lay_test.cpp)
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Agreement of a profile with itself, shifted by one period.
 template <Real T = double>
@@ -54,9 +56,9 @@ struct Repetition {
     [[nodiscard]] bool is_lay() const { return correlation > T(0.5); }
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Repetition of a profile with the autocorrelation \p acf.
 template <Real T>
@@ -99,9 +101,9 @@ template <Real T>
     return texture_aspect_ratio < T(0.3);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A parabola and a step in the heights.
 template <Real T = double>
@@ -114,9 +116,9 @@ struct PlainForm {
     [[nodiscard]] bool is_step() const { return step > T(0.5) && step > parabola; }
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Parts of a surface: their terms, orthonormal with the root of their points as weight, and weighted heights.
 template <Real T>
@@ -248,4 +250,4 @@ template <Real T>
                          [&](Eigen::Index j, Eigen::Index i) { return map.heights(j, i) / unit; });
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -15,18 +15,24 @@
 /// Valid       at least one measurement, all of one kind and with the same cut-offs; sizes > 0
 /// Accuracy    1e-13 of the formulae (tests/measure/pooled_surface_test.cpp, tests/scene/one_measurement_test.cpp)
 
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/measure.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/measure/uncertain_sum.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -381,4 +387,4 @@ Surface<T> measure(const std::vector<HeightMap<T>>& maps, const MeasureOptions<T
     return detail::measure_several<T>(maps, options);
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -16,17 +16,21 @@
 /// Accuracy    that of the steps (tests/measure/prepare_test.cpp)
 
 #include <fstiff/measure/cut_offs.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile.hpp>
+#include <fstiff/profile/profile_repair.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
+#include <fstiff/topography/map_repair.hpp>
 
 #include <cmath>
 #include <memory>
 #include <utility>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Limits of Cleaning::spikes.
 inline constexpr int min_spike_limit = 3, max_spike_limit = 1000;
@@ -47,9 +51,9 @@ template <Real T>
     return begin > end ? PointRange{} : PointRange{begin, end - begin + 1};
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Numbers of points that clean() changed.
 struct CleaningReport {
@@ -79,9 +83,9 @@ struct PreparedMap : LevelledMap<T> {
     CutOffs<T> cut_offs{};
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Crops, masks, removes spikes and fills, in this order.
 /// \throws domain_error for a crop beyond the profile, a mask of another size, or a limit of spikes out of range.
@@ -90,9 +94,9 @@ CleaningReport clean(Profile<T>& profile, const Cleaning<T>& cleaning);
 template <Real T>
 CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& cleaning);
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Removes the form of \p profile, then the waves below lambda_s, then those above lambda_c. Ignores options.cleaning.
 /// \throws domain_error for cut-offs that are not valid for the profile, and as level() and the filters.
@@ -113,9 +117,9 @@ template <Real T>
 template <Real T>
 [[nodiscard]] PreparedProfile<T> with_drawing_cut_off(PreparedProfile<T> prepared, const CutOff<T>& lambda_c = {});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Removes only the form, once for several cut-offs; the maps of with_cut_offs() share `unfiltered`.
 /// \throws domain_error as level().
@@ -293,9 +297,9 @@ CleaningReport clean(HeightMap<T>& map, const Cleaning<T>& cleaning) {
     return report;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 template <Real T>
 PreparedProfile<T> prepare(const Profile<T>& profile, const MeasureOptions<T>& options) {
@@ -342,9 +346,9 @@ PreparedMap<T> prepare(HeightMap<T>&& map, const MeasureOptions<T>& options) {
     return prepared;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 template <Real T>
 PreparedMap<T> without_form(const HeightMap<T>& map, const MeasureOptions<T>& options) {
@@ -371,4 +375,4 @@ PreparedMap<T> with_cut_offs(PreparedMap<T> prepared, const MeasureOptions<T>& o
     return prepared;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -15,20 +15,21 @@
 ///             of the spectrum); sampling errors are 0.6 to 1.1 times the scatter; 1 of 240 isotropic maps of 128 x 128
 ///             points is called anisotropic (tests/measure/sections_test.cpp)
 
+#include <fstiff/math/random.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Direction of a section: along a row, or along a column.
 enum class Direction { x, y };
@@ -51,9 +52,9 @@ template <Real T>
 [[nodiscard]] MeasuredStructureFunction<T> section_structure(const HeightMap<T>& map, Direction direction,
                                                              const SectionResampling& resampling = {});
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// D and G along x and along y. A direction without a fit has the reason instead.
 template <Real T = double>
@@ -71,9 +72,9 @@ struct DirectionalFit {
     [[nodiscard]] bool anisotropic() const { return dimension_differs || level_differs; }
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Mean structure functions of the sections of one map, with its sides.
 template <Real T = double>
@@ -359,4 +360,4 @@ DirectionalFit<T> fit_directions(const SectionStructures<T>& sections, const Fra
     return result;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -16,16 +16,17 @@
 
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/uncertain_surface.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/surface/moments.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
+#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-namespace fstiff::inline v0_1 {
-
-namespace detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Values of \p surface, whose spectrum has \p moments, without their errors.
 template <Real T>
@@ -155,4 +156,4 @@ template <Real T>
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

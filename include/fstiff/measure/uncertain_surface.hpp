@@ -16,12 +16,15 @@
 ///             (eigenvalues below -1e-9 are refused)
 
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/measurement.hpp>
 #include <fstiff/measure/plain_form.hpp>
 #include <fstiff/measure/sections.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/surface/parameter.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/scan_lines.hpp>
 
@@ -36,7 +39,7 @@
 #include <optional>
 #include <string>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -231,4 +234,4 @@ std::array<T, surface_parameter_count> SurfaceSampler<T>::operator()() {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -22,7 +22,7 @@
 #include <fstiff/peaks/peak_sums.hpp>
 #include <fstiff/peaks/quantity.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Tolerance of the contact integrals.
 template <Real T = double>
@@ -150,4 +150,4 @@ template <Real T>
     return j[static_cast<std::size_t>(2 * a)] * math::gaussian((std::max)(eta, T(0)));
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

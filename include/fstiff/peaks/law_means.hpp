@@ -11,11 +11,13 @@
 /// Valid       as the integrals that are called
 /// Accuracy    that of the integrals that are called (tests/peaks/any_law_test.cpp)
 
+#include <fstiff/math/double_exponential.hpp>
 #include <fstiff/math/quadrature.hpp>
 #include <fstiff/peaks/law_sums.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/peaks/tensor_integrals.hpp>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// A function of excess height and curvature with \p count kinks, called through a virtual function: the rule in two
 /// dimensions, which takes far longer to compile than any law, is compiled once for each count instead of once for each
@@ -238,4 +240,4 @@ private:
     T tolerance_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

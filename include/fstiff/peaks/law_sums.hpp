@@ -20,8 +20,9 @@
 #include <fstiff/peaks/contact_integrals.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/peaks/single_radius.hpp>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 // A function of an approach, or of an array of eight, and of a radius.
 template <class Law, class T>
@@ -188,4 +189,4 @@ private:
     Quantity mask_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -21,7 +21,7 @@
 
 #include <numbers>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// One evaluation: the parameters that all nodes share.
 template <Real T>
@@ -294,4 +294,4 @@ T visit_nodes(const PeakProblem<T>& p, T log_accuracy, Sink& sink) {
                                                           : visit_graded(p, graded_step, sink);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -13,7 +13,7 @@
 
 #include <numbers>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// J of up to four powers a = 0, 1/2, 1, 3/2 at once, without the factor c^a/(2 theta) exp(-floor^2/2), by a
 /// trapezoidal rule of step h, and the relative error that its nodes show.
@@ -169,4 +169,4 @@ private:
     alignas(64) T erf_[PeakNodes<T>::capacity];
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

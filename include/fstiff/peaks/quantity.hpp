@@ -5,7 +5,7 @@
 
 #include <fstiff/core/config.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Quantities to be computed; join several by |.
 enum class Quantity : unsigned {
@@ -38,4 +38,4 @@ namespace detail {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -22,7 +22,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Approach of the nodes to t = 0 and excess = 0.
 enum class Axis {
@@ -31,9 +31,9 @@ enum class Axis {
     rough    ///< for kinks at unknown places: as graded, with an error sum for algebraic convergence
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Law with known kinks or jumps: at the excess critical(t), given the curvature t, or, with a member kinks() that
 /// returns a std::array of ascending numbers, at critical(t) times each of these.
@@ -42,9 +42,9 @@ concept KinkedLaw = requires(const F& f, T t) {
     { f.critical(t) } -> std::convertible_to<T>;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Tolerance and cost of the integrals in two dimensions.
 template <Real T = double>
@@ -53,9 +53,9 @@ struct TensorOptions {
     int max_nodes = 192;  ///< rows, and nodes of a piece of a row, at most 256
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The kinks of a law as multiples of critical(t).
 template <class T, class F>
@@ -339,9 +339,9 @@ template <Axis axis, bool own = false, Real T, class F>
     }
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Integral of a function of one's own over the peaks above the separation \p eta (in rms heights):
 ///
@@ -371,4 +371,4 @@ template <Real T, class F>
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

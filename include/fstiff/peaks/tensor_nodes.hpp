@@ -14,7 +14,7 @@
 
 #include <numbers>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 template <Real T>
 using TensorLanes = Eigen::Array<T, 8, 1>;
@@ -237,4 +237,4 @@ struct TensorRows {
     }
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -21,9 +21,7 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
-
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Sums over pairs of one profile; heights are scaled, and 0 where \p present is 0; an empty \p present means that no
 /// point is missing.
@@ -303,4 +301,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

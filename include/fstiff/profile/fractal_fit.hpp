@@ -19,10 +19,13 @@
 #include <fstiff/profile/fractal_result.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/lag_window.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/structure_function.hpp>
+#include <fstiff/profile/tip_lengths.hpp>
+#include <fstiff/profile/window_sensitivity.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -382,4 +385,4 @@ FractalFit<T> fit_measured(const MeasuredStructureFunction<T>& measured, const F
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -20,7 +20,7 @@
 
 #include <Eigen/Core>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Reason for the beginning or the end of a window.
 enum class WindowEnd {
@@ -275,4 +275,4 @@ WindowEnd why_there(const LogStructure<F>& log, const IndexRange& range, Eigen::
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

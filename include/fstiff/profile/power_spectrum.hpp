@@ -22,7 +22,7 @@
 
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// One-sided power spectrum; k = 0 ... M/2.
 template <Real T = double>
@@ -195,4 +195,4 @@ template <Real T>
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -16,6 +16,7 @@
 
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/lag_window.hpp>
 
@@ -34,7 +35,7 @@
 // Valid       lags rising, 0 < p < 2
 // Accuracy    5 % of the sum over all pairs of a profile of 20 lags and more (tests/profile/structure_errors_test.cpp)
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Covariance of ln S2 at the lags \p step, with \p triples each, for a Gaussian profile whose S grows as n^\p power.
 template <Real T>
@@ -333,4 +334,4 @@ private:
     Vector<T> y_;
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -24,7 +24,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A parameter of a contact; first those of the surface, which index SurfaceParameters::correlation.
 enum class Parameter {
@@ -194,4 +194,4 @@ inline std::string ParameterRow::starting_range() const {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

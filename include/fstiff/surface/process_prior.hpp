@@ -26,7 +26,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Process that made a surface.
 enum class Process { unknown, ground, turned, milled, honed, lapped, polished, blasted, eroded };
@@ -36,9 +36,9 @@ struct PriorRange {
     double low, middle, high;
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// One row of the table.
 struct ProcessPrior {
@@ -114,25 +114,25 @@ inline constexpr double growth_of_height = 0.5, growth_of_spacing = 1, growth_of
     return {middle / apart, middle, middle * apart};
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Properties of a surface, and of the softer body, that may be open.
 enum class Unknown { height, gradient, alpha, hurst, hardness, skewness, kurtosis };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 inline constexpr std::size_t unknown_count = 7;
 
 /// Whether \p unknown describes the shape of the heights.
 [[nodiscard]] constexpr bool is_of_shape(Unknown unknown) { return unknown >= Unknown::skewness; }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 template <>
 inline constexpr auto names<Process> = detail::name_list<Process>({{Process::unknown, "unknown"},
@@ -145,9 +145,9 @@ inline constexpr auto names<Process> = detail::name_list<Process>({{Process::unk
                                                                    {Process::blasted, "blasted"},
                                                                    {Process::eroded, "eroded"}});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Other words for processes, as is_same_name() compares them. Those without a row above are Process::unknown.
 struct ProcessWords {
@@ -204,4 +204,4 @@ inline constexpr std::array<ProcessWords, 9> process_words{{
            "one of " + choices_text<Process>() + ", or another word for one of these; any other process is unknown");
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -18,12 +18,13 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Waves beyond the longest wavelength: as strong as the longest one, or none.
 enum class LongWaves { plateau, none };
@@ -161,4 +162,4 @@ template <Real T>
     return detail::self_affine(options, columns, rows, dx, dy);
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -17,13 +17,15 @@
 ///             (tests/synthetic/weierstrass_mandelbrot_test.cpp)
 
 #include <fstiff/core/error.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
+#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Waves of the profile of Weierstrass and Mandelbrot.
 template <Real T = double>
@@ -136,4 +138,4 @@ private:
     std::vector<Term> terms_;
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -22,11 +22,9 @@
 #include <Eigen/Core>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <string>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A ball under one load.
 template <Real T = double>
@@ -177,4 +175,4 @@ template <Real T>
     return fine;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -16,6 +16,7 @@
 ///             1e-5. A batch is within 200 epsilon of the scalar calls (tests/tabulated/contact_law_test.cpp)
 /// Threads     evaluation is const and does not allocate: any number of threads may share a law
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
@@ -25,7 +26,7 @@
 #include <fstiff/tabulated/law_tabulator.hpp>
 #include <fstiff/tabulated/law_text.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -391,4 +392,4 @@ ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& r
     return of_model(std::make_shared<const detail::LawModelOf<T, Model>>(contact), range);
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -21,7 +21,7 @@
 
 #include <functional>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The state of a law at one pressure.
 template <Real T>
@@ -216,4 +216,4 @@ private:
     std::vector<Node> nodes_;  ///< by pressure
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

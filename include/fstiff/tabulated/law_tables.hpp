@@ -20,7 +20,7 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -309,4 +309,4 @@ struct LawTables {
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -11,6 +11,7 @@
 /// Valid       as tabulated/contact_law
 /// Accuracy    measured, and kept in the tables
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/error.hpp>
@@ -21,7 +22,7 @@
 #include <fstiff/tabulated/kinked_tabulator.hpp>
 #include <fstiff/tabulated/law_tables.hpp>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// What the tables ask of a contact, with virtual functions: they are compiled once for all contacts.
 template <Real T>
@@ -329,4 +330,4 @@ template <Real T>
     return KinkedTabulator<T>(law, model.stiffness_over_slope, model.rms_height).tabulate(min_pressure, max_pressure);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

@@ -17,7 +17,7 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/tabulated/law_tables.hpp>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 template <Real T>
 [[nodiscard]] std::string law_text_head(int version) {
@@ -182,4 +182,4 @@ private:
     T closest_{}, furthest_{};
 };
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail

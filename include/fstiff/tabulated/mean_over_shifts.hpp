@@ -15,15 +15,15 @@
 ///             does not reach has no mean
 /// Accuracy    rounding (tests/tabulated/mean_over_shifts_test.cpp)
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// The mean over \p C, one contact for each shift.
 template <class C>
@@ -108,4 +108,4 @@ private:
     std::vector<C> contacts_;
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <limits>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Memory of the slip of a contact: the levels that are dragged, and by how much. \p Directions is 1 for a plane
 /// model and 2 for a body. Plain numbers: copy it, and keep it with the other variables of a step.
@@ -249,4 +249,4 @@ private:
 };
 
 }  // namespace detail
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

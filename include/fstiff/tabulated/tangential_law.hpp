@@ -41,7 +41,7 @@
 // Accuracy    1e-13; with m between 0.6 p and p the loss factor of three laws is within 3 % of that of the law itself,
 //             x from 0.01 to 1, 0.1 to 100 MPa (tests/tabulated/microslip_test.cpp)
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// K ~ p^growth while the contact opens.
 template <Real T>
@@ -103,9 +103,9 @@ template <Real T, class Unloading>
     return slipped > 0 ? 4 / std::numbers::pi_v<T> * excess / slipped : T(0);
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// p, q and their derivatives under a separation and tangential displacements. Threads may share one.
 ///
@@ -269,4 +269,4 @@ private:
     T closest_;
 };
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -20,7 +20,7 @@
 
 #include <optional>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Moments of a map, and parameters that follow from them.
 template <Real T = double>
@@ -235,4 +235,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

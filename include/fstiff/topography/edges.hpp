@@ -5,7 +5,7 @@
 
 #include <fstiff/core/names.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Continuation of a map beyond its edges.
 enum class Edges {
@@ -16,4 +16,4 @@ template <>
 inline constexpr auto names<Edges> = detail::name_list<Edges>({{Edges::mirrored, "mirrored"},
                                                                {Edges::periodic, "periodic"}});
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

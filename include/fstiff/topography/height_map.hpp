@@ -15,7 +15,7 @@
 #include <array>
 #include <cstdint>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -172,114 +172,4 @@ template <Real T>
     return static_cast<T>(std::sqrt(heights.variance) * heights.unit);
 }
 
-}  // namespace fstiff::inline v0_1
-
-// A map on a coarser grid: each new cell has the mean height of the area that it covers.
-//
-// Units       as the map
-// Valid       maps without missing points; at most as many cells as there are points
-// Accuracy    the mean height is kept to 1e-14 of the largest (tests/topography/coarsen_test.cpp)
-
-namespace fstiff::inline v0_1::detail {
-
-/// Each row of \p fine on \p to longer cells, transposed: cell j of row i is in row j, column i.
-template <Real T>
-typename HeightMap<T>::Array coarsened_rows(const typename HeightMap<T>::Array& fine, Eigen::Index to) {
-    const Eigen::Index from = fine.cols();
-    const T length = T(from) / T(to);
-    typename HeightMap<T>::Array coarse = HeightMap<T>::Array::Zero(to, fine.rows());
-    for (Eigen::Index j = 0; j < to; ++j) {
-        const T begin = T(j) * length, end = T(j + 1) * length;
-        for (auto i = static_cast<Eigen::Index>(begin); i < from && T(i) < end; ++i) {
-            const T share = (std::max)(T(0), (std::min)(end, T(i + 1)) - (std::max)(begin, T(i))) / length;
-            for (Eigen::Index row = 0; row < fine.rows(); ++row) coarse(j, row) += share * fine(row, i);
-        }
-    }
-    return coarse;
-}
-
-/// \p map on \p columns by \p rows cells over the same area.
-/// \throws domain_error for missing points, for less than 1 cell and for more cells than points.
-template <Real T>
-[[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index columns, Eigen::Index rows) {
-    require(columns >= 1 && columns <= map.columns(), "columns", columns, "from 1 to those of the map");
-    require(rows >= 1 && rows <= map.rows(), "rows", rows, "from 1 to those of the map");
-    map.require_whole("before it is made coarser");
-    HeightMap<T> coarse;
-    coarse.dx = map.dx * T(map.columns()) / T(columns);
-    coarse.dy = map.dy * T(map.rows()) / T(rows);
-    coarse.heights = coarsened_rows<T>(coarsened_rows<T>(map.heights, columns), rows);
-    return coarse;
-}
-
-/// \p map with \p points along its longer side (unchanged where it has no more), with the same aspect of the cells.
-template <Real T>
-[[nodiscard]] HeightMap<T> coarsened(const HeightMap<T>& map, Eigen::Index points) {
-    require(points >= 1, "points", points, "at least 1");
-    const Eigen::Index longer = (std::max)(map.columns(), map.rows());
-    if (longer <= points) return map;
-    const auto side = [&](Eigen::Index n) {
-        return (std::max)(Eigen::Index(1),
-                          static_cast<Eigen::Index>(std::lround(double(n) * double(points) / double(longer))));
-    };
-    return coarsened(map, side(map.columns()), side(map.rows()));
-}
-
-}  // namespace fstiff::inline v0_1::detail
-
-// Sum of the heights of two measured faces, the lower one shifted along x and y: the roughness of both faces as one.
-//
-//     z(j, i) = z_upper(j, i) + z_lower(m(j + rows), m(i + columns)),   m mirrors an index at the edges of the map
-//
-// Both heights point outwards from their own body. Mirroring makes no steps, but ridges and valleys at the edges. A
-// point that is missing on either face is missing in the sum.
-//
-// Reference   Greenwood, Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625
-// Units       [m]
-// Valid       maps of one shape whose steps differ by at most 1e-6 of themselves
-// Accuracy    exact sums (tests/topography/shifted_sum_test.cpp)
-
-namespace fstiff::inline v0_1::detail {
-
-/// Reason why two maps have no sum; empty where they have one.
-template <Real T>
-[[nodiscard]] std::string no_sum_of(const HeightMap<T>& upper, const HeightMap<T>& lower) {
-    const auto grid = [](const HeightMap<T>& map) {
-        return std::to_string(map.columns()) + " x " + std::to_string(map.rows()) + " points";
-    };
-    if (upper.rows() != lower.rows() || upper.columns() != lower.columns())
-        return "the maps have " + grid(upper) + " and " + grid(lower);
-    if (std::abs(upper.dx - lower.dx) > T(1e-6) * upper.dx || std::abs(upper.dy - lower.dy) > T(1e-6) * upper.dy)
-        return "the points of the maps are not equally far apart";
-    return "";
-}
-
-/// Sum with \p lower shifted by \p rows and \p columns of any sign and size.
-/// \throws domain_error for maps for which no_sum_of() gives a reason.
-template <Real T>
-[[nodiscard]] HeightMap<T> shifted_sum(const HeightMap<T>& upper, const HeightMap<T>& lower, Eigen::Index rows,
-                                       Eigen::Index columns) {
-    if (const std::string why = no_sum_of(upper, lower); !why.empty())
-        throw domain_error("sum of two maps: " + why + "; must be of one grid");
-    const auto mirrored = [](Eigen::Index i, Eigen::Index size) {
-        const Eigen::Index k = ((i % (2 * size)) + 2 * size) % (2 * size);
-        return k < size ? k : 2 * size - 1 - k;
-    };
-    HeightMap<T> sum = upper;
-    for (Eigen::Index j = 0; j < sum.rows(); ++j)
-        for (Eigen::Index i = 0; i < sum.columns(); ++i)
-            sum.heights(j, i) += lower.heights(mirrored(j + rows, sum.rows()), mirrored(i + columns, sum.columns()));
-    return sum;
-}
-
-/// Sum at a random shift. \p state is that of splitmix64 and advances: the same state gives the same shifts.
-template <Real T>
-[[nodiscard]] HeightMap<T> random_sum(const HeightMap<T>& upper, const HeightMap<T>& lower, std::uint64_t& state) {
-    const auto below = [&](Eigen::Index size) {
-        return static_cast<Eigen::Index>(math::splitmix64(state) % static_cast<std::uint64_t>(2 * size));
-    };
-    const Eigen::Index rows = below(upper.rows()), columns = below(upper.columns());
-    return shifted_sum(upper, lower, rows, columns);
-}
-
-}  // namespace fstiff::inline v0_1::detail
+}}  // namespace fstiff

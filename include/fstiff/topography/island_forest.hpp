@@ -13,7 +13,7 @@
 
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Neighbours that belong to the island of a point: the four that share a side, or also those that share a corner.
 enum class Connectivity { four, eight };
@@ -228,4 +228,4 @@ private:
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

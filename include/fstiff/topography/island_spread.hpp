@@ -12,10 +12,11 @@
 /// Valid       as island_curve(), with islands in at least two tiles
 /// Accuracy    errors of density and R 1.14 and 1.16 times the scatter of 60 maps (tests/topography/islands_test.cpp)
 
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/topography/islands.hpp>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// Options of the spread of the representative island.
 struct IslandSpread {
@@ -152,4 +153,4 @@ template <Real T>
     return result;
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -22,7 +22,7 @@
 #include <cstring>
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
@@ -279,4 +279,4 @@ template <Real T>
     return detail::sweep_islands(map, options, 1, [](T, const detail::IslandForest<T>&) {});
 }
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -14,13 +14,12 @@
 /// Accuracy    that of math/fft (tests/topography/line_transform_test.cpp, tests/topography/map_spectrum_test.cpp)
 
 #include <fstiff/math/fft.hpp>
+#include <fstiff/math/fft_of_lines.hpp>
 #include <fstiff/topography/edges.hpp>
 
 #include <numbers>
 
-namespace fstiff::inline v0_1 {
-
-namespace detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Numbers on a grid: rows along y, columns along x.
 template <Real T>
@@ -228,4 +227,4 @@ private:
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

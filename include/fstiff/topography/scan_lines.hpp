@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// How the offsets of scan lines are found.
 enum class LineAlignment { none, median, median_of_differences };
@@ -130,4 +130,4 @@ std::pair<ScanAxis, T> align_lines(HeightMap<T>& map, LineAlignment method, Scan
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

@@ -16,6 +16,7 @@
 /// Accuracy    rounding for a paraboloid; five points lose (8/45) (pi/samples of its wave)^4 of a curvature
 ///             (tests/topography/summits_test.cpp)
 
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -23,7 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1 {
+namespace fstiff { inline namespace v0_1 {
 
 /// A point of a map that is higher than its eight neighbours, as the top of a paraboloid.
 template <Real T = double>
@@ -159,4 +160,4 @@ template <Real T>
 
 }  // namespace detail
 
-}  // namespace fstiff::inline v0_1
+}}  // namespace fstiff

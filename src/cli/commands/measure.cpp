@@ -7,6 +7,7 @@
 #include "input/progress.hpp"
 
 #include <fstiff/io/units.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <memory>
 

@@ -14,6 +14,8 @@
 #include "input/progress.hpp"
 
 #include <fstiff/asperity/material.hpp>
+#include <fstiff/contact/load_weighted.hpp>
+#include <fstiff/io/quantities.hpp>
 
 #include <memory>
 

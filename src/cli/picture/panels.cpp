@@ -5,10 +5,12 @@
 #include "actions/run.hpp"
 #include "document/own_output.hpp"
 
+#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/wave/spring_interface.hpp>
+#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hands maps and small arrays to fstiff::double and takes them from it, to be freed here; prints K.
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/double/contacts.hpp>
 
 #include <cstdio>

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The functions of answer/curves.hpp: inline, or compiled once (docs/linking-cpp.md).
+/// The functions of answer/answer_curve.hpp: inline, or compiled once (docs/linking-cpp.md).
 
+#include <fstiff/answer/answer_curve.hpp>
+#include <fstiff/answer/band_parts.hpp>
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/problem.hpp>
 
 #include <fstiff/answer/band.hpp>
+#include <fstiff/answer/face.hpp>
+#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/unknowns.hpp>
+#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
+#include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::inline v0_1::detail {
+namespace fstiff { inline namespace v0_1 { namespace detail {
 
 FSTIFF_INLINE bool is_map(const Face& face) { return face.map && face.spectrum_of_map; }
 
@@ -261,4 +268,4 @@ FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& req
     return facts;
 }
 
-}  // namespace fstiff::inline v0_1::detail
+}}}  // namespace fstiff::detail
