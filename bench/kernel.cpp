@@ -6,10 +6,10 @@
 namespace {
 
 using namespace bench;
-using fstiff::Axis;
+using fstiff::NodeClustering;
 
 /// "kernel/<law>/<tolerance>", right within \p slack tolerances.
-template <Axis axis, class Law>
+template <NodeClustering axis, class Law>
 void law_rows(const std::string& name, std::initializer_list<double> wanted, double slack) {
     for (const double tolerance : wanted)
         row_on(law_problems<Law>, "kernel/" + name + "/" + text_of(tolerance), load, tolerance * slack,
@@ -17,11 +17,11 @@ void law_rows(const std::string& name, std::initializer_list<double> wanted, dou
 }
 
 const Rows rows_of_kernel([] {
-    law_rows<Axis::even, HertzByUser>("hertz", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
-    law_rows<Axis::even, GradualYield>("gradual_yield", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
-    law_rows<Axis::graded, ElasticPlastic>("elastic_plastic", {1e-3, 1e-6, 1e-9, 1e-10, 1e-12}, 1);
+    law_rows<NodeClustering::even, HertzByUser>("hertz", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
+    law_rows<NodeClustering::even, GradualYield>("gradual_yield", {1e-3, 1e-6, 1e-9, 1e-12}, 1);
+    law_rows<NodeClustering::graded, ElasticPlastic>("elastic_plastic", {1e-3, 1e-6, 1e-9, 1e-10, 1e-12}, 1);
     // not given the place of the kink: the error is what the nodes allowed by default leave, and is admitted
-    law_rows<Axis::rough, ElasticPlastic>("elastic_plastic_untold", {1e-3, 1e-6}, 1000);
+    law_rows<NodeClustering::rough, ElasticPlastic>("elastic_plastic_untold", {1e-3, 1e-6}, 1000);
 });
 
 }  // namespace

@@ -104,12 +104,12 @@ struct ElasticPlastic {
     }
 };
 
-/// scaled_tensor_integral in the place of the load; with Axis::rough the law keeps its kink to itself.
-template <fstiff::Axis axis, class Law>
+/// scaled_tensor_integral in the place of the load; with NodeClustering::rough the law keeps its kink to itself.
+template <fstiff::NodeClustering axis, class Law>
 Values kernel(const Problem& p, double tolerance) {
     const auto silent = [](const auto& excess, double t) { return Law{}(excess, t); };
     const auto law = [&] {
-        if constexpr (axis == fstiff::Axis::rough)
+        if constexpr (axis == fstiff::NodeClustering::rough)
             return silent;
         else
             return Law{};

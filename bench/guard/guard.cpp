@@ -85,14 +85,16 @@ std::vector<Row> integrals() {
                                     [&](const Problem& p) { return tensor(p, four, tolerance); }));
     out.push_back(integrals_row("integrals/fstiff-paper/stiffness/plain/50x50", problems(plain), one,
                                 [](const Problem& p) { return paper(p, one); }));
-    out.push_back(integrals_row("kernel/gradual_yield/1e-12", law_problems<GradualYield>(), load,
-                                [](const Problem& p) { return kernel<fstiff::Axis::even, GradualYield>(p, 1e-12); }));
+    out.push_back(integrals_row("kernel/gradual_yield/1e-12", law_problems<GradualYield>(), load, [](const Problem& p) {
+        return kernel<fstiff::NodeClustering::even, GradualYield>(p, 1e-12);
+    }));
     for (const double tolerance : {1e-3, 1e-9})
         out.push_back(integrals_row(
             "kernel/elastic_plastic/" + text_of(tolerance), law_problems<ElasticPlastic>(), load,
-            [&](const Problem& p) { return kernel<fstiff::Axis::graded, ElasticPlastic>(p, tolerance); }));
-    out.push_back(integrals_row("kernel/elastic_plastic_untold/1e-03", law_problems<ElasticPlastic>(), load,
-                                [](const Problem& p) { return kernel<fstiff::Axis::rough, ElasticPlastic>(p, 1e-3); }));
+            [&](const Problem& p) { return kernel<fstiff::NodeClustering::graded, ElasticPlastic>(p, tolerance); }));
+    out.push_back(
+        integrals_row("kernel/elastic_plastic_untold/1e-03", law_problems<ElasticPlastic>(), load,
+                      [](const Problem& p) { return kernel<fstiff::NodeClustering::rough, ElasticPlastic>(p, 1e-3); }));
     return out;
 }
 

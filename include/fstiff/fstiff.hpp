@@ -79,8 +79,8 @@
 #include <fstiff/topography/sum_of_maps.hpp>
 #include <fstiff/topography/summits.hpp>
 #include <fstiff/topography/white_noise.hpp>
+#include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
-#include <fstiff/halfspace/held_contact.hpp>
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/halfspace/truth.hpp>

@@ -24,9 +24,9 @@ struct Pass {
     std::size_t next = 0, next_critical = 0;
 };
 
-template <bool kinked, Axis of>
+template <bool kinked, NodeClustering of>
 struct PassFunction {
-    static constexpr Axis axis = of;
+    static constexpr NodeClustering axis = of;
     Pass& pass;
 
     double critical(double t) const requires kinked {
@@ -59,9 +59,10 @@ std::tuple<double, double, int> integral(const nb::callable& function, const std
     Pass pass{.function = function, .kink = kink};
     const PeakDistribution<double> peaks(r, theta);
     const TensorOptions<double> options{.relative_tolerance = tolerance};
-    const auto found = kink            ? peak_integral(PassFunction<true, Axis::graded>{pass}, peaks, eta, options)
-                       : kinks_unknown ? peak_integral(PassFunction<false, Axis::rough>{pass}, peaks, eta, options)
-                                       : peak_integral(PassFunction<false, Axis::graded>{pass}, peaks, eta, options);
+    const auto found = kink ? peak_integral(PassFunction<true, NodeClustering::graded>{pass}, peaks, eta, options)
+                       : kinks_unknown
+                           ? peak_integral(PassFunction<false, NodeClustering::rough>{pass}, peaks, eta, options)
+                           : peak_integral(PassFunction<false, NodeClustering::graded>{pass}, peaks, eta, options);
     return {found.value, found.error, found.evaluations};
 }
 

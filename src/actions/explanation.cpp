@@ -111,7 +111,7 @@ std::string source_of(const Scene& scene, const StiffnessAnswer& answer) {
 }
 
 /// What to measure, for people.
-std::string words_of(const detail::NextMeasurement& next, const detail::Problem& problem) {
+std::string words_of(const detail::NextMeasurement& next, const detail::ResolvedJoint& problem) {
     const bool lay = detail::prior_of(rough_faces(problem).front()->process).has_lay;
     if (!next.which && !measured_faces(problem).front()->measured->is_profile) return "four times the area";
     if (!next.which) return lay || has_lay(problem) ? "a map" : "four times the length";

@@ -101,7 +101,8 @@ std::string body_of(const LawInModel& law, Solver to) {
 }
 
 /// The pressure of the one stiffness that a card of friction holds [Pa].
-double pressure_of_friction(const detail::Problem& problem, const PressureTable& table, const ExportRequest& request) {
+double pressure_of_friction(const detail::ResolvedJoint& problem, const PressureTable& table,
+                            const ExportRequest& request) {
     if (request.at.empty()) return std::sqrt(table.from * table.to);
     const std::string name = surface::option_name(request.prefix, "at");
     if (!problem.friction) throw domain_error(name + " is for a scene with [friction]; this scene has none");

@@ -70,7 +70,7 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
                           {"difference", neighbour.difference},
                           {"difference_error", neighbour.difference_error},
                           {"disagrees", neighbour.disagrees}});
-    document["windows_beside"] = std::move(beside);
+    document["neighbouring_windows"] = std::move(beside);
     document["fractal_dimension_model_error"] = fit.model_dimension_error;
     document["fractal_dimension_bootstrap_error"] = fit.bootstrap_dimension_error;
     document["ordinary_least_squares"] = {{"fractal_dimension", fit.line_dimension},
@@ -89,7 +89,7 @@ void put_fit(Json& document, const FractalFit<double>& fit) {
     document["slope_at_window_ends"] = Json(std::vector<double>{fit.slope_shortest, fit.slope_longest});
     document["slope_range_in_window"] = Json(std::vector<double>{fit.min_slope, fit.max_slope});
     document["curved"] = fit.curved;
-    document["behind_plateau"] = fit.behind_plateau;
+    document["after_plateau"] = fit.after_plateau;
     document["log_periodic_terms"] = fit.log_periodic;
     document["finite_band_terms"] = fit.finite_band;
     document["bootstrap_seed"] = fit.seed;

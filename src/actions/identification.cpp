@@ -29,7 +29,7 @@
 
 namespace fstiff::actions {
 
-using detail::dimensionless_pressure, detail::Face, detail::Law, detail::Problem, document::option_error,
+using detail::dimensionless_pressure, detail::Face, detail::Law, detail::ResolvedJoint, document::option_error,
     document::rounded, scene::Scene, surface::option_name;
 
 namespace {
@@ -57,7 +57,7 @@ bool of_spectrum(const std::vector<Parameter>& wanted) {
     return has(wanted, Parameter::rms_gradient) || has(wanted, Parameter::alpha);
 }
 
-ContactParameters<double> start_of(const Problem& problem, const detail::Peaks* peaks) {
+ContactParameters<double> start_of(const ResolvedJoint& problem, const detail::Peaks* peaks) {
     ContactParameters<double> start;
     const SpectralMoments<double> moments = spectral_moments(problem.face);
     const Roughness<double> rough = problem.face.roughness();
@@ -74,8 +74,8 @@ ContactParameters<double> start_of(const Problem& problem, const detail::Peaks* 
 }
 
 /// \p problem with \p fit's peaks alone, and without what only a band takes.
-Problem lean_problem(const Problem& problem, const Fit& fit) {
-    Problem lean = problem;
+ResolvedJoint lean_problem(const ResolvedJoint& problem, const Fit& fit) {
+    ResolvedJoint lean = problem;
     lean.faces.clear();
     lean.face.measured.reset();
     lean.face.neighbours.clear();
@@ -85,12 +85,12 @@ Problem lean_problem(const Problem& problem, const Fit& fit) {
 
 /// \p face with those of \p x that are \p wanted.
 Face with_parameters(Face face, const ContactParameters<double>& x, const std::vector<Parameter>& wanted) {
-    const double taller = x.rms_height / face.parameters.rms_height.value;
+    const double height_factor = x.rms_height / face.parameters.rms_height.value;
     for (const Parameter each : wanted)
         if (auto* known = face.parameters.find(each)) known->value = x[each];
     if (face.map && has(wanted, Parameter::rms_height)) {  // all its heights
-        face.map = face.map->scaled(taller);
-        if (face.rms_gradient && face.spectrum_of_map) *face.rms_gradient *= taller;
+        face.map = face.map->scaled(height_factor);
+        if (face.rms_gradient && face.spectrum_of_map) *face.rms_gradient *= height_factor;
     }
     if (of_spectrum(wanted)) {
         face.rms_gradient = x.rms_gradient, face.alpha = x.alpha;
@@ -102,7 +102,7 @@ Face with_parameters(Face face, const ContactParameters<double>& x, const std::v
 }
 
 /// The contact that \p lean makes by \p law with those of \p x that are \p wanted, under \p pressures.
-std::vector<ContactPoint<double>> points_with(Problem lean, const Law& law, const ContactParameters<double>& x,
+std::vector<ContactPoint<double>> points_with(ResolvedJoint lean, const Law& law, const ContactParameters<double>& x,
                                               const std::vector<Parameter>& wanted, std::span<const double> pressures) {
     lean.face = with_parameters(std::move(lean.face), x, wanted);
     if (has(wanted, Parameter::hardness)) lean = with_hardness(std::move(lean), x.hardness);
@@ -148,7 +148,7 @@ std::vector<double> at_many(std::span<const double> pressures, const Stiffness& 
     return stiffness;
 }
 
-Identification<double> found_by(const Problem& problem, const Fit& fit, const detail::FitInputs& inputs) {
+Identification<double> found_by(const ResolvedJoint& problem, const Fit& fit, const detail::FitInputs& inputs) {
     const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness) &&
                        inputs.data.size() <= detail::many_points;
     if (exact && detail::has_exact_fit(fit.law->which)) return fit_exactly(fit.law->which, inputs);
@@ -177,10 +177,10 @@ Observation<double> scaled(Observation<double> point, double factor, const std::
 
 /// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
 /// of its error, which is on one side of K at all pressures.
-void widen_by_law(const Problem& problem, Fit& fit, detail::FitInputs inputs) try {
+void widen_by_law(const ResolvedJoint& problem, Fit& fit, detail::FitInputs inputs) try {
     constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
     inputs.start = fit.found.optimum, inputs.options.search.max_iterations = 30;
-    Problem fitted = lean_problem(problem, fit);
+    ResolvedJoint fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), inputs.start, inputs.parameters);
     const std::optional<double> g = gradient(fitted);
     const auto shifted = [&](double CauseSpread<double>::*end) {
@@ -289,7 +289,7 @@ void require_known(const Scene& scene, const FitRequest& request) {
 }
 
 /// Whether K of the elastic law of \p fit would be 5 % higher where its peaks yield, under its greatest pressure.
-bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, double rms_gradient) {
+bool rises_by_flow(const ResolvedJoint& problem, const Fit& fit, double hardness, double rms_gradient) {
     double most = 0;
     for (const MeasuredPoint& point : fit.points) most = std::max(most, point.pressure);
     if (!(most < hardness)) return true;
@@ -300,12 +300,12 @@ bool rises_by_flow(const Problem& problem, const Fit& fit, double hardness, doub
 }
 
 /// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
-std::string flow_of(const Problem& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
+std::string flow_of(const ResolvedJoint& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(problem);
     if (flows(problem, *fit.law) || !std::isfinite(hardness) || fit.found.status == math::FitStatus::singular)
         return "";
     const ContactParameters<double>& x = fit.found.optimum;
-    Problem fitted = lean_problem(problem, fit);
+    ResolvedJoint fitted = lean_problem(problem, fit);
     fitted.face = with_parameters(std::move(fitted.face), x, wanted);
     const double psi = fitted.face.has_radius_and_density()
                            ? detail::plasticity_index(fitted.face.roughness(), x.effective_modulus,
@@ -330,7 +330,7 @@ std::string title(const Fit& fit) {
     return fit.theta ? law + ", theta = " + rounded(*fit.theta) + ", r = " + rounded(*fit.r) : law;
 }
 
-std::vector<ContactPoint<double>> fitted_points(const Problem& problem, const Fit& fit,
+std::vector<ContactPoint<double>> fitted_points(const ResolvedJoint& problem, const Fit& fit,
                                                 std::span<const double> pressures) {
     std::vector<Parameter> wanted;
     for (const auto& one : fit.found.parameters) wanted.push_back(one.parameter);

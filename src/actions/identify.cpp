@@ -80,7 +80,7 @@ Rows point_rows(const MeasuredCurve& curve, const Fit& fit) {
 }
 
 /// The fitted model from the least pressure to the greatest, at enough pressures for a smooth picture.
-Json curve_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
+Json curve_json(const detail::ResolvedJoint& problem, const Identified& identified, const Fit& fit) {
     constexpr int steps = 40;
     const auto [least, most] = std::minmax_element(
         fit.points.begin(), fit.points.end(), [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
@@ -103,7 +103,7 @@ Json curve_json(const detail::Problem& problem, const Identified& identified, co
     return rows.arrays();
 }
 
-Json fit_json(const detail::Problem& problem, const Identified& identified, const Fit& fit) {
+Json fit_json(const detail::ResolvedJoint& problem, const Identified& identified, const Fit& fit) {
     const auto& identification = fit.found;
     Json entry{{"law", fit.law->name}};
     if (fit.theta) entry["theta"] = *fit.theta, entry["r"] = *fit.r;
@@ -313,7 +313,7 @@ document::Document document_of(const scene::Scene& scene, const Identified& iden
     document::Document document("identify", 10);
     introduce(document, scene, identified);
     for (const Fit& fit : identified.found.fits) add_fit(document, identified, fit);
-    document.values([problem = detail::Problem(scene), identified](Json& to) {
+    document.values([problem = detail::ResolvedJoint(scene), identified](Json& to) {
         Json& fits = to["fits"] = Json::array();
         for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(problem, identified, fit));
     });

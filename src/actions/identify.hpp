@@ -102,7 +102,7 @@ struct Fits {
 [[nodiscard]] Fits identify(const scene::Scene& scene, const MeasuredCurve& curve, const FitRequest& request);
 
 /// The contact that \p fit found, under \p pressures [Pa], with its stiffness alone.
-[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const detail::Problem& problem, const Fit& fit,
+[[nodiscard]] std::vector<ContactPoint<double>> fitted_points(const detail::ResolvedJoint& problem, const Fit& fit,
                                                               std::span<const double> pressures);
 
 struct Identified {

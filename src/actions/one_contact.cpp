@@ -25,7 +25,7 @@ namespace {
     throw no_such_entry(std::string(name) + " = " + std::to_string(value) + ": must be " + allowed);
 }
 
-OneContact only_contact(std::shared_ptr<const detail::Problem> problem, const detail::Law& law, std::size_t peaks,
+OneContact only_contact(std::shared_ptr<const detail::ResolvedJoint> problem, const detail::Law& law, std::size_t peaks,
                         const ProgressHook& progress) {
     OneContact single{.problem = std::move(problem), .law = &law};
     for_each_contact(*single.problem, {&law}, progress, [&](const detail::ContactOfLaw& law_contact) {
@@ -77,7 +77,7 @@ double difference(const Number& number, double x, const F& f) {
 }
 
 /// \p joint resolved; its one body has no name in refusals.
-detail::Problem problem_of_one(const Joint& joint) {
+detail::ResolvedJoint problem_of_one(const Joint& joint) {
     try {
         return detail::problem_of(joint, {});
     } catch (const domain_error& error) {
@@ -101,13 +101,13 @@ OneContact make_contact(const std::string& law, Joint joint, const ProgressHook&
         throw domain_error(name + "peak_radius and peak_density" + (named->needs_radius() ? "" : ", or rms_gradient"));
     if (JointFace& face = joint.face; face.peak_radius && face.peak_density && !face.skewness && !face.bearing)
         face.skewness = 0, face.kurtosis = 3;
-    auto problem = std::make_shared<detail::Problem>(problem_of_one(joint));
+    auto problem = std::make_shared<detail::ResolvedJoint>(problem_of_one(joint));
     if (named->has_peaks && problem->default_peaks && (has_radius || !joint.face.rms_gradient))
         throw domain_error(
             name + "r and theta" +
             (joint.face.measured ? " of the surface: " + joint.face.measured->surface().why_no_peaks : ""));
     require_possible(*named, *problem);
-    if (problem->hardness_range && detail::feels_hardness(*problem, {named}))
+    if (problem->hardness_range && detail::depends_on_hardness(*problem, {named}))
         throw domain_error(name + "hardness or yield_strength");
     return only_contact(std::move(problem), *named, 0, progress);
 }
@@ -117,7 +117,7 @@ OneContact make_contact(const scene::Scene& scene, std::size_t law, std::size_t 
     const detail::Law& chosen = *scene.laws[law];
     if (peaks >= (chosen.has_peaks ? peaks_of(chosen, scene).size() : 1))
         refuse_entry("peaks", peaks, "an entry of contact.peaks, 0 without joint peaks");
-    return only_contact(std::make_shared<const detail::Problem>(scene), chosen, peaks, progress);
+    return only_contact(std::make_shared<const detail::ResolvedJoint>(scene), chosen, peaks, progress);
 }
 
 std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure) {

@@ -19,7 +19,7 @@ public:
 };
 
 struct OneContact {
-    std::shared_ptr<const detail::Problem> problem;  ///< what the contact was made of lives as long as it
+    std::shared_ptr<const detail::ResolvedJoint> problem;  ///< what the contact was made of lives as long as it
     const detail::Law* law = nullptr;
     std::shared_ptr<const AnyContact> contact;
 };

@@ -112,8 +112,8 @@ Json answer_json(const Scene& scene, const Results& results) {
                     {"stiffness_p95_Pa_per_m", band.high},
                     {"law", curve.law_at(i).name}};
         if (scene.asks(CurveQuantity::force)) row["force_N"] = scene.forces[curve.places[i]];
-        if (scene.asks(CurveQuantity::approach) && !curve.seated.empty())
-            row["approach_m"] = curve.seated[i] - curve.states[i].separation.value;
+        if (scene.asks(CurveQuantity::approach) && !curve.separation_at_seating.empty())
+            row["approach_m"] = curve.separation_at_seating[i] - curve.states[i].separation.value;
         if (reason.loading_stiffness) row["loading_stiffness_Pa_per_m"] = *reason.loading_stiffness;
         if (scene.nominal_area) {
             row["stiffness_N_per_m"] = K * *scene.nominal_area;
@@ -259,9 +259,10 @@ document::TextRows answer_table(const Scene& scene, const Results& results, std:
     if (area > 0)
         rows.add({"", joint_unit.heading("K"), joint_unit.factor, 3}, places,
                  at_state([&](std::size_t i) { return curve.states[i].stiffness.value * area; }));
-    if (scene.asks(CurveQuantity::approach) && !curve.seated.empty())
-        rows.add({"", height.heading("approach"), height.factor, 3}, places,
-                 at_state([&](std::size_t i) { return curve.seated[i] - curve.states[i].separation.value; }));
+    if (scene.asks(CurveQuantity::approach) && !curve.separation_at_seating.empty())
+        rows.add({"", height.heading("approach"), height.factor, 3}, places, at_state([&](std::size_t i) {
+                     return curve.separation_at_seating[i] - curve.states[i].separation.value;
+                 }));
     if (answer.flows)
         rows.add({"", "loading K/A0", unit.factor, 3}, places,
                  at_state([&](std::size_t i) { return answer.reasons[i].loading_stiffness; }));

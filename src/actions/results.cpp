@@ -199,8 +199,9 @@ Results compute(const Scene& scene, const ProgressHook& progress, const Parallel
     const bool best = computed.named.empty();
     std::vector<LawCurve> curves = moved(computed);
     for (const LawCurve& curve : curves)
-        if (!curve.not_seated.empty())
-            results.warnings.push_back("law " + std::string(curve.law->name) + " has no approach: " + curve.not_seated);
+        if (!curve.no_separation_at_seating.empty())
+            results.warnings.push_back("law " + std::string(curve.law->name) +
+                                       " has no approach: " + curve.no_separation_at_seating);
     require_states(scene, curves);
     if (computed.failed > 0)
         results.warnings.push_back(

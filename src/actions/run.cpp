@@ -53,7 +53,7 @@ std::string answered(const Scene& scene, const Results& results) {
             "a: 16/(3 pi) of the mean radius of the load. Hertz: smooth faces. Approach: of points far "
             "away, from where the mean planes would touch.");
     for (const std::string& sentence : results.explanation) text += in_text(sentence);
-    if (scene.asks(CurveQuantity::approach) && !results.answer->curve.seated.empty())
+    if (scene.asks(CurveQuantity::approach) && !results.answer->curve.separation_at_seating.empty())
         text += in_text("Approach: how far the faces have closed since p was " +
                         document::with_unit(scene.seating, "Pa") + " (contact.seating).");
     return text + in_text(outside_band(scene, results));

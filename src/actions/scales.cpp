@@ -21,7 +21,7 @@ namespace {
 std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, const detail::Law& law,
                                    const ScalesOptions& load) {
     try {
-        detail::Problem problem;
+        detail::ResolvedJoint problem;
         problem.face = measured_face(surface.found)->face();
         const Material<double> body{2 * load.modulus, 0.0};  // of which both are
         problem.effective_modulus = effective_modulus(body, body);
@@ -152,7 +152,7 @@ Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceI
     return scales;
 }
 
-std::vector<std::string> what_is_settled(const Scales& scales) {
+std::vector<std::string> convergence_sentences(const Scales& scales) {
     const auto about = [&](const std::vector<Scale>& rows, const std::string& name) {
         const auto chosen = std::find_if(rows.begin(), rows.end(), [](const Scale& scale) { return scale.chosen; });
         if (chosen == rows.end() || !chosen->stiffness) return "K at the chosen " + name + " is not known";
@@ -188,7 +188,7 @@ document::Document document_of(const surface::MeasureOptions& options,
     ScaleRows pairs(scales.short_waves.begin(), scales.short_waves.end());
     pairs.insert(pairs.end(), scales.long_waves.begin(), scales.long_waves.end());
     const document::Rows rows = scale_rows(pairs);
-    const std::vector<std::string> settled = what_is_settled(scales);
+    const std::vector<std::string> settled = convergence_sentences(scales);
     document::Document document = document_of(options, surface);
     document.line("\nwith other cut-offs (* chosen), K by " + scales.law + " at " +
                   document::rounded(load.pressure / 1e6) + " MPa, effective modulus " +

@@ -53,6 +53,6 @@ struct Scales {
                                              const Scales& scales, const ScalesOptions& load);
 
 /// "halving or doubling lambda_s changes K by -3 % to +4 %: settled"; one sentence for either cut-off.
-[[nodiscard]] std::vector<std::string> what_is_settled(const Scales& scales);
+[[nodiscard]] std::vector<std::string> convergence_sentences(const Scales& scales);
 
 }  // namespace fstiff::actions

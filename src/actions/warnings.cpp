@@ -55,7 +55,7 @@ void warn_of_lost(const scene::Scene& scene, Results& results) {
 }
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
-void warn_of_hardness(const detail::Problem& problem, Results& results) {
+void warn_of_hardness(const detail::ResolvedJoint& problem, Results& results) {
     for (const Curve* curve : shown_curves(results))
         if (const auto check = beyond_comparison(problem, *curve)) {
             results.doubtful = results.doubtful || !curve->by.empty();

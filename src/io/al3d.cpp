@@ -54,10 +54,10 @@ public:
         set_spacings(map, dx, dy, file_.name());
         Record record;
         const std::string program = printable(text("CreatingApplication"), 40);
-        record.say("form", "Alicona (.al3d)" + (program.empty() ? "" : ", written by " + program));
-        record.say("units", "m, 32-bit floating-point heights");
-        record.say("spacing", "from PixelSizeXMeter and PixelSizeYMeter");
-        record.say_points(map);
+        record.note("form", "Alicona (.al3d)" + (program.empty() ? "" : ", written by " + program));
+        record.note("units", "m, 32-bit floating-point heights");
+        record.note("spacing", "from PixelSizeXMeter and PixelSizeYMeter");
+        record.note_points(map);
         return {std::move(map), std::move(record)};
     }
 

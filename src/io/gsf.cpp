@@ -37,11 +37,11 @@ struct GsfHeader {
 
 Record record_of(const GsfHeader& file, const RawMap& map) {
     Record record;
-    record.say("form", "Gwyddion simple field" + (file.title.empty() ? "" : " \"" + file.title + "\""));
-    record.say("units",
-               "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from XYUnits and ZUnits");
-    record.say("spacing", "from XReal / XRes and YReal / YRes");
-    record.say_points(map);
+    record.note("form", "Gwyddion simple field" + (file.title.empty() ? "" : " \"" + file.title + "\""));
+    record.note("units",
+                "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from XYUnits and ZUnits");
+    record.note("spacing", "from XReal / XRes and YReal / YRes");
+    record.note_points(map);
     record.say_trailer(file.trailer);
     return record;
 }

@@ -124,15 +124,15 @@ private:
 
 Record record_of(const GwyHeader& file, const RawMap& map) {
     Record record;
-    record.say("form", "Gwyddion file, channel " + file.channel + ", " +
-                           (file.channel_from == "options" ? "from options" : file.channel_from));
+    record.note("form", "Gwyddion file, channel " + file.channel + ", " +
+                            (file.channel_from == "options" ? "from options" : file.channel_from));
     std::string others;
     for (const std::string& other : file.others) others += (others.empty() ? "" : ", ") + other;
-    if (!others.empty()) record.say("other channels", others + ", not read");
-    record.say("units", "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from the file");
-    record.say("spacing", "from xreal / xres and yreal / yres");
+    if (!others.empty()) record.note("other channels", others + ", not read");
+    record.note("units", "x and y in " + file.lateral_unit + ", heights in " + file.height_unit + ", from the file");
+    record.note("spacing", "from xreal / xres and yreal / yres");
     const std::string masked = std::to_string(file.masked);
-    record.say_points(map, file.masked == 0 ? "" : " (" + masked + " of them under the mask)");
+    record.note_points(map, file.masked == 0 ? "" : " (" + masked + " of them under the mask)");
     record.say_trailer(file.trailer);
     if (file.masked != 0)
         record.warnings.push_back(

@@ -41,10 +41,10 @@ public:
 private:
     void describe(const RawMap& map) {
         table_.say_layout(record_);
-        record_.say("units", notes_.units + ", from " + notes_.units_from);
-        record_.say("spacing", "from " + notes_.size_from);
-        record_.say_points(map, table_.missing.note());
-        if (!notes_.columns.empty()) record_.say(notes_.columns_key, notes_.columns);
+        record_.note("units", notes_.units + ", from " + notes_.units_from);
+        record_.note("spacing", "from " + notes_.size_from);
+        record_.note_points(map, table_.missing.note());
+        if (!notes_.columns.empty()) record_.note(notes_.columns_key, notes_.columns);
     }
 
     static constexpr std::array<const char*, 3> axis_names{"x", "y", "the heights"};

@@ -45,11 +45,11 @@ double metropro_step(const FileBytes& file) {
 Record record_of(const FileBytes& file, const RawMap& map, double step, std::size_t end) {
     Record record;
     const std::string part(file.words(258, 40, "name of the part"));
-    record.say("form", "Zygo MetroPro" + (part.empty() ? "" : ", " + shown_cell(part)));
-    record.say("units", "m, heights in steps of " + number_text(std::abs(step)) +
-                            " m, from wavelength, scale factor and obliquity factor");
-    record.say("spacing", "from the step of x and y in the header");
-    record.say_points(map);
+    record.note("form", "Zygo MetroPro" + (part.empty() ? "" : ", " + shown_cell(part)));
+    record.note("units", "m, heights in steps of " + number_text(std::abs(step)) +
+                             " m, from wavelength, scale factor and obliquity factor");
+    record.note("spacing", "from the step of x and y in the header");
+    record.note_points(map);
     record.say_trailer(file.size() - end);
     if (step < 0)
         record.warnings.push_back("the file states that the sign of its heights is inverted; they were turned over");

@@ -237,10 +237,11 @@ private:
         static constexpr const char* types[] = {"",        "int8",  "text",   "int16",  "int32", "float32",
                                                 "float64", "uint8", "uint16", "uint32", "int64", "uint64"};
         Record record;
-        record.say("form", std::string("NetCDF of contact.engineering, heights of ") + types[heights.values.type % 12]);
-        record.say("units", units_);
-        record.say("spacing", map.rows == 1 ? "length of x over its points" : "lengths of x and y over their points");
-        record.say_points(map, header_.find("mask") ? ", from a mask" : "");
+        record.note("form",
+                    std::string("NetCDF of contact.engineering, heights of ") + types[heights.values.type % 12]);
+        record.note("units", units_);
+        record.note("spacing", map.rows == 1 ? "length of x over its points" : "lengths of x and y over their points");
+        record.note_points(map, header_.find("mask") ? ", from a mask" : "");
         return record;
     }
 

@@ -38,10 +38,10 @@ struct NpyHeader {
 
 Record record_of(const NpyHeader& file, const RawMap& map) {
     Record record;
-    record.say("form", "NumPy array of " + file.type + ", in the order of " + (file.fortran_order ? "Fortran" : "C"));
-    record.say("units", "heights in " + file.unit + ", from options");
-    record.say("spacing", "from " + file.size_from);
-    record.say_points(map, file.missing_note);
+    record.note("form", "NumPy array of " + file.type + ", in the order of " + (file.fortran_order ? "Fortran" : "C"));
+    record.note("units", "heights in " + file.unit + ", from options");
+    record.note("spacing", "from " + file.size_from);
+    record.note_points(map, file.missing_note);
     record.say_trailer(file.trailer);
     record.resolution = file.resolution;
     return record;

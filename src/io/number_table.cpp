@@ -165,14 +165,14 @@ void NumberTable::say_layout(Record& record, bool may_be_one) const {
                                   : sign == ';'                             ? "semicolon"
                                   : sign == '\t'                            ? "tab"
                                                                             : "blanks";
-    record.say("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
+    record.note("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
     const std::size_t header = lines[first].number - 1 - before;  // blank lines and comments included
     std::string text = std::to_string(header) + (header == 1 ? " line" : " lines");
     if (counted != 0) text += ", the last of which is the number of rows";
     if (const std::size_t left = rows_with_words(); left != 0)
         text += ", " + std::to_string(left) + " of which hold" + (left == 1 ? "s" : "") +
                 " numbers next to words and are left out";
-    record.say("header", text);
+    record.note("header", text);
 }
 
 std::size_t NumberTable::rows_with_words() const {

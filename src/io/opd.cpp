@@ -51,15 +51,15 @@ struct OpdHeader {
 
 Record record_of(const OpdHeader& file, const RawMap& map) {
     Record record;
-    record.say("form", "Wyko or Bruker Vision (.opd), array " + shown_cell(file.array) + " of " +
-                           std::to_string(file.bits) + " bits" +
-                           (file.title.empty() ? "" : ", \"" + file.title + "\""));
+    record.note("form", "Wyko or Bruker Vision (.opd), array " + shown_cell(file.array) + " of " +
+                            std::to_string(file.bits) + " bits" +
+                            (file.title.empty() ? "" : ", \"" + file.title + "\""));
     std::string others;
     for (const std::string& other : file.others) others += (others.empty() ? "" : ", ") + shown_cell(other);
-    if (!others.empty()) record.say("other arrays", others + ", not read");
-    record.say("units", "heights in units of " + number_text(file.step) + " m, from Wavelength and Mult");
-    record.say("spacing", "from Pixel_size and Aspect");
-    record.say_points(map);
+    if (!others.empty()) record.note("other arrays", others + ", not read");
+    record.note("units", "heights in units of " + number_text(file.step) + " m, from Wavelength and Mult");
+    record.note("spacing", "from Pixel_size and Aspect");
+    record.note_points(map);
     record.resolution = file.bits == 16 ? file.step : 0;
     return record;
 }

@@ -254,12 +254,12 @@ private:
 
     Record record_of(const RawMap& map) const {
         Record record;
-        record.say("form", std::string("Bruker Dektak (.opdx), ") + (is_map_ ? "map " : "profile ") +
-                               shown_cell(folder_.substr(8, folder_.size() - 9)));
-        if (!others_.empty()) record.say("other channels", others_ + ", not read");
-        record.say("units", units_);
-        record.say("spacing", "from extents over one point less than there are");
-        record.say_points(map);
+        record.note("form", std::string("Bruker Dektak (.opdx), ") + (is_map_ ? "map " : "profile ") +
+                                shown_cell(folder_.substr(8, folder_.size() - 9)));
+        if (!others_.empty()) record.note("other channels", others_ + ", not read");
+        record.note("units", units_);
+        record.note("spacing", "from extents over one point less than there are");
+        record.note_points(map);
         return record;
     }
 

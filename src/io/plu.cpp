@@ -32,11 +32,11 @@ constexpr double plu_missing = 1000001;
 
 Record record_of(const FileBytes& file, const RawMap& map, std::uint64_t layers) {
     Record record;
-    record.say("form", "Sensofar (.plu), measured " + printable(file.words(0, 128, "the date"), 40));
-    if (layers > 1) record.say("other layers", std::to_string(layers - 1) + ", not read");
-    record.say("units", "um, 32-bit floating-point heights");
-    record.say("spacing", "from the steps of x and y in the header");
-    record.say_points(map);
+    record.note("form", "Sensofar (.plu), measured " + printable(file.words(0, 128, "the date"), 40));
+    if (layers > 1) record.note("other layers", std::to_string(layers - 1) + ", not read");
+    record.note("units", "um, 32-bit floating-point heights");
+    record.note("spacing", "from the steps of x and y in the header");
+    record.note_points(map);
     return record;
 }
 

@@ -95,12 +95,12 @@ private:
     Record record_of(const RawMap& map, const std::string& data) const {
         Record record;
         const std::string date = printable(text_at("DATE"), 40);
-        record.say("form", "Sensofar (.plux), 32-bit floating-point heights from " + shown_cell(data) +
-                               (date.empty() ? "" : ", measured " + date));
-        if (layers_ > 1) record.say("other layers", std::to_string(layers_ - 1) + ", not read");
-        record.say("units", "um");
-        record.say("spacing", "from FOV_X and FOV_Y");
-        record.say_points(map);
+        record.note("form", "Sensofar (.plux), 32-bit floating-point heights from " + shown_cell(data) +
+                                (date.empty() ? "" : ", measured " + date));
+        if (layers_ > 1) record.note("other layers", std::to_string(layers_ - 1) + ", not read");
+        record.note("units", "um");
+        record.note("spacing", "from FOV_X and FOV_Y");
+        record.note_points(map);
         return record;
     }
 

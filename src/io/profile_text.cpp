@@ -70,12 +70,12 @@ private:
         if (notes_.position_column != 0) columns += ", positions in column " + std::to_string(notes_.position_column);
         if (notes_.index_column != 0)
             columns += ", column " + std::to_string(notes_.index_column) + " numbers the points";
-        record_.say("columns", columns + (notes_.reversed ? ", falling: turned round" : ""));
+        record_.note("columns", columns + (notes_.reversed ? ", falling: turned round" : ""));
         const std::string positions =
             notes_.position_unit.empty() ? "" : ", positions in " + printable(notes_.position_unit, 16);
-        record_.say("units",
-                    "heights in " + printable(notes_.height_unit, 16) + positions + ", from " + notes_.units_from);
-        record_.say("spacing", "from " + notes_.spacing_from);
+        record_.note("units",
+                     "heights in " + printable(notes_.height_unit, 16) + positions + ", from " + notes_.units_from);
+        record_.note("spacing", "from " + notes_.spacing_from);
         record_.say_points_of_profile(row, table_.missing.note());
     }
 

@@ -8,18 +8,18 @@
 
 namespace fstiff::io {
 
-void Record::say_points(const RawMap& map, const std::string& more) {
+void Record::note_points(const RawMap& map, const std::string& more) {
     say_points_of_profile(map, more);
     entries.back().second.insert(std::to_string(map.columns).size(), " x " + std::to_string(map.rows));
 }
 
 void Record::say_points_of_profile(const RawMap& map, const std::string& more) {
     missing = map.heights.size() - detail::present(map);
-    say("points", std::to_string(map.columns) + ", of which " + std::to_string(missing) + " missing" + more);
+    note("points", std::to_string(map.columns) + ", of which " + std::to_string(missing) + " missing" + more);
 }
 
 void Record::say_trailer(std::size_t bytes) {
-    if (bytes != 0) say("trailer", std::to_string(bytes) + " bytes, not read");
+    if (bytes != 0) note("trailer", std::to_string(bytes) + " bytes, not read");
 }
 
 std::string Record::said(std::string_view key) const {

@@ -21,9 +21,9 @@ struct Record {
     std::size_t missing{};  ///< points
     double resolution{};    ///< step in which the heights are printed or counted [m]; 0 where it is not known
 
-    void say(std::string key, std::string text) { entries.emplace_back(std::move(key), std::move(text)); }
+    void note(std::string key, std::string text) { entries.emplace_back(std::move(key), std::move(text)); }
     /// "3 x 4, of which 2 missing", and \p more.
-    void say_points(const RawMap& map, const std::string& more = "");
+    void note_points(const RawMap& map, const std::string& more = "");
     /// "20, of which 2 missing", and \p more.
     void say_points_of_profile(const RawMap& map, const std::string& more = "");
     /// The bytes after what was read, where there are any.

@@ -63,13 +63,13 @@ Record record_of(const SdfHeader& file, const RawMap& map) {
     static constexpr const char* types[8] = {"uint8", "uint16", "uint32", "float32",
                                              "int8",  "int16",  "int32",  "float64"};
     Record record;
-    record.say("form", "surface data file " + file.version + ", " + (file.binary ? "binary" : "text") + ", " +
-                           types[file.data_type & 7] + (file.manufacturer.empty() ? "" : ", by " + file.manufacturer));
-    record.say("units", "m, heights in units of " + number_text(file.z_scale) + " m, from Zscale");
-    record.say("spacing", "from Xscale and Yscale");
-    record.say_points(map);
+    record.note("form", "surface data file " + file.version + ", " + (file.binary ? "binary" : "text") + ", " +
+                            types[file.data_type & 7] + (file.manufacturer.empty() ? "" : ", by " + file.manufacturer));
+    record.note("units", "m, heights in units of " + number_text(file.z_scale) + " m, from Zscale");
+    record.note("spacing", "from Xscale and Yscale");
+    record.note_points(map);
     record.say_trailer(file.trailer);
-    if (file.check_sum) record.say("check sum", "not verified");
+    if (file.check_sum) record.note("check sum", "not verified");
     const bool counted = file.binary && file.data_type != 3 && file.data_type != 7;
     record.resolution = counted ? file.z_scale : 0;
     return record;

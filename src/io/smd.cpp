@@ -76,13 +76,13 @@ bool is_smd(std::string_view bytes) { return bytes.starts_with("ISO 5436") || is
 
 Record record_of(const SmdHeader& file, const RawMap& map) {
     Record record;
-    record.say("form",
-               file.prf ? "profile in records (.prf)" : "profile of ISO 5436-2 (.smd), \"" + file.version + "\"");
-    record.say("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", from the axes CX and CZ");
-    record.say("spacing", std::string("from ") + (file.prf ? "SPACING CX" : "the increment of CX"));
+    record.note("form",
+                file.prf ? "profile in records (.prf)" : "profile of ISO 5436-2 (.smd), \"" + file.version + "\"");
+    record.note("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", from the axes CX and CZ");
+    record.note("spacing", std::string("from ") + (file.prf ? "SPACING CX" : "the increment of CX"));
     record.say_points_of_profile(map);
-    if (!file.stylus_radius.empty()) record.say("stylus radius", file.stylus_radius + " in the file, not used");
-    if (file.sum_stated) record.say("check sum", file.sum_agrees ? "agrees" : "does not agree");
+    if (!file.stylus_radius.empty()) record.note("stylus radius", file.stylus_radius + " in the file, not used");
+    if (file.sum_stated) record.note("check sum", file.sum_agrees ? "agrees" : "does not agree");
     if (file.sum_stated && !file.sum_agrees)
         record.warnings.push_back(
             "the check sum of the file does not agree with its bytes, which may have been changed since");

@@ -198,11 +198,11 @@ Reading read_stl(std::string_view bytes, const std::string& name, const SurfaceO
     fill(map, corners, grid, unit, file.name());
     set_spacings(map, grid.x.step * unit, grid.y.step * unit, file.name());
     Record record;
-    record.say("form", std::string(text ? "text" : "binary file") + " of " + std::to_string(corners.x.size() / 3) +
-                           " triangles (.stl)");
-    record.say("units", std::string(units.back()) + ", from options");
-    record.say("spacing", "from the corners of the triangles");
-    record.say_points(map);
+    record.note("form", std::string(text ? "text" : "binary file") + " of " + std::to_string(corners.x.size() / 3) +
+                            " triangles (.stl)");
+    record.note("units", std::string(units.back()) + ", from options");
+    record.note("spacing", "from the corners of the triangles");
+    record.note_points(map);
     return {std::move(map), std::move(record)};
 }
 

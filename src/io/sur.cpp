@@ -55,15 +55,15 @@ struct SurHeader {
 
 Record record_of(const SurHeader& file, const RawMap& map) {
     Record record;
-    record.say("form", "Digital Surf " + std::string(file.streams == 0 ? "" : "compressed ") +
-                           (file.profile ? "profile" : "surface") + " of " + std::to_string(file.bits) + " bits, " +
-                           (file.big_endian ? "most" : "least") + " significant byte first" +
-                           (file.object.empty() ? "" : ", \"" + file.object + "\""));
-    record.say("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", in steps of " +
-                            number_text(file.step) + " m, from the header; the offset of z is not added");
-    record.say("spacing", "from the steps of x and y in the header");
-    record.say_points(map, file.marked ? "" : " (the header states that none are marked)");
-    if (file.skipped != 0) record.say("comment and private zone", std::to_string(file.skipped) + " bytes, not read");
+    record.note("form", "Digital Surf " + std::string(file.streams == 0 ? "" : "compressed ") +
+                            (file.profile ? "profile" : "surface") + " of " + std::to_string(file.bits) + " bits, " +
+                            (file.big_endian ? "most" : "least") + " significant byte first" +
+                            (file.object.empty() ? "" : ", \"" + file.object + "\""));
+    record.note("units", "x in " + file.x_unit + ", heights in " + file.z_unit + ", in steps of " +
+                             number_text(file.step) + " m, from the header; the offset of z is not added");
+    record.note("spacing", "from the steps of x and y in the header");
+    record.note_points(map, file.marked ? "" : " (the header states that none are marked)");
+    if (file.skipped != 0) record.note("comment and private zone", std::to_string(file.skipped) + " bytes, not read");
     record.say_trailer(file.trailer);
     if (file.inversion != 0)
         record.warnings.push_back("the file states that its heights are inverted (code " +

@@ -145,7 +145,7 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
                                 : open_table(std::move(own), name, profile_rules, options, before);
         found = read_profile(std::move(table), name, options);
     }
-    say_channels(found.record, chosen);
+    note_channels(found.record, chosen);
     return found;
 }
 
@@ -195,7 +195,7 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
             without_thousands(text_of(std::move(bytes), record.name, "numbers, or a file of another form"),
                               options.thousands, record.name);
         found = read_text(record, text, options);
-        if (utf16) found.record.say("encoding", "UTF-16, from its byte order mark");
+        if (utf16) found.record.note("encoding", "UTF-16, from its byte order mark");
     }
     record.details = found.record.sentences();
     record.warnings = std::move(found.record.warnings);

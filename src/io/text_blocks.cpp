@@ -317,10 +317,10 @@ ChosenBlock chosen_block(std::vector<TextBlock> blocks, const std::string& name,
     return chosen;
 }
 
-void say_channels(Record& record, const ChosenBlock& chosen) {
+void note_channels(Record& record, const ChosenBlock& chosen) {
     if (chosen.called.empty()) return;
-    record.say("channel", chosen.called);
-    record.say("other channels", chosen.others + ", not read");
+    record.note("channel", chosen.called);
+    record.note("other channels", chosen.others + ", not read");
 }
 
 }  // namespace fstiff::io::detail

@@ -39,6 +39,6 @@ struct ChosenBlock {
 ChosenBlock chosen_block(std::vector<TextBlock> blocks, const std::string& name, const SurfaceOptions& options);
 
 /// States which block was read, and which were not, where there are several.
-void say_channels(Record& record, const ChosenBlock& chosen);
+void note_channels(Record& record, const ChosenBlock& chosen);
 
 }  // namespace fstiff::io::detail

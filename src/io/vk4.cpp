@@ -42,11 +42,11 @@ struct VkHeader {
 
 Record record_of(const VkHeader& file, const RawMap& map) {
     Record record;
-    record.say("form", "Keyence " + file.form + ", heights of " + std::to_string(file.bits) + " bits");
-    record.say("units", "pm, heights in steps of " + number_text(file.step) + " m, from the settings of the file");
-    record.say("spacing", "from the steps of x and y in the settings");
-    record.say_points(map, " (the form marks none)");
-    if (file.images > 1) record.say("other images of heights", std::to_string(file.images - 1) + ", not read");
+    record.note("form", "Keyence " + file.form + ", heights of " + std::to_string(file.bits) + " bits");
+    record.note("units", "pm, heights in steps of " + number_text(file.step) + " m, from the settings of the file");
+    record.note("spacing", "from the steps of x and y in the settings");
+    record.note_points(map, " (the form marks none)");
+    if (file.images > 1) record.note("other images of heights", std::to_string(file.images - 1) + ", not read");
     record.resolution = file.step;
     return record;
 }

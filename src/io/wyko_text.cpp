@@ -49,14 +49,14 @@ public:
         const bool along_x = map.columns == nx && nx != ny;
         set_spacings(map, along_x ? pixel : pixel * aspect, along_x ? pixel * aspect : pixel, name_);
         Record record;
-        record.say("form", "Wyko ASCII, array " + shown_cell(array_));
-        record.say("units", waves_ ? "heights in waves of " + number_text(number("Wavelength", {})) + " nm over " +
-                                         number_text(number("Mult", 1)) + ", from Wavelength and Mult"
-                                   : "heights in nm, from line 1");
-        record.say("spacing", "from Pixel_size, in mm, and Aspect; a line of the file is along " +
-                                  std::string(along_x ? "x" : "y"));
-        record.say_points(map);
-        if (!others_.empty()) record.say("other arrays", others_ + ", not read");
+        record.note("form", "Wyko ASCII, array " + shown_cell(array_));
+        record.note("units", waves_ ? "heights in waves of " + number_text(number("Wavelength", {})) + " nm over " +
+                                          number_text(number("Mult", 1)) + ", from Wavelength and Mult"
+                                    : "heights in nm, from line 1");
+        record.note("spacing", "from Pixel_size, in mm, and Aspect; a line of the file is along " +
+                                   std::string(along_x ? "x" : "y"));
+        record.note_points(map);
+        if (!others_.empty()) record.note("other arrays", others_ + ", not read");
         return {std::move(map), std::move(record)};
     }
 
@@ -185,7 +185,7 @@ Reading read_wyko_text(std::vector<detail::Line> lines, const std::string& name,
     }
     const ChosenBlock chosen = chosen_block(std::move(files), name, options);
     Reading found = WykoTextReader(chosen.block.lines, name).read();
-    say_channels(found.record, chosen);
+    note_channels(found.record, chosen);
     return found;
 }
 

@@ -61,16 +61,16 @@ pugi::xml_node local_child(const pugi::xml_node& parent, std::string_view name) 
 
 Record record_of(const X3pHeader& file, const RawMap& map, const OptionNames& names) {
     Record record;
-    record.say("form", "X3P, heights of type " + std::string(1, file.data_type) + " from " +
-                           shown_cell(file.data.empty() ? file.main : file.data) +
-                           (file.instrument.empty() ? "" : ", measured with " + file.instrument));
+    record.note("form", "X3P, heights of type " + std::string(1, file.data_type) + " from " +
+                            shown_cell(file.data.empty() ? file.main : file.data) +
+                            (file.instrument.empty() ? "" : ", measured with " + file.instrument));
     const std::string increment = number_text(file.increment), increment_of_z = "the increment " + increment + " of CZ";
-    record.say("units", !file.doubtful() ? "m"
-                        : file.applied   ? "m, heights times " + increment_of_z
-                                         : "m, heights as they are, without " + increment_of_z);
-    record.say("spacing", "from the increments of CX and CY");
-    record.say_points(map, file.mask ? ", from a mask" : "");
-    if (file.side_files != 0) record.say("other files in the archive", std::to_string(file.side_files) + ", not read");
+    record.note("units", !file.doubtful() ? "m"
+                         : file.applied   ? "m, heights times " + increment_of_z
+                                          : "m, heights as they are, without " + increment_of_z);
+    record.note("spacing", "from the increments of CX and CY");
+    record.note_points(map, file.mask ? ", from a mask" : "");
+    if (file.side_files != 0) record.note("other files in the archive", std::to_string(file.side_files) + ", not read");
     if (file.doubtful())
         record.warnings.push_back(
             "the heights are floating-point numbers, and the file also states an increment of " + increment + ": " +
@@ -129,8 +129,8 @@ private:
         for (double& height : map_.heights) height *= vertical;
         record.resolution *= vertical;
         std::erase_if(record.entries, [](const auto& entry) { return entry.first == "units"; });
-        record.say("units", "x and y in " + printable(given.front(), 16) + ", heights in " +
-                                printable(given.back(), 16) + ", from options");
+        record.note("units", "x and y in " + printable(given.front(), 16) + ", heights in " +
+                                 printable(given.back(), 16) + ", from options");
         if (lateral != 1 || vertical != 1)
             record.warnings.push_back(
                 contradiction(options_.names, "units", shown_cell(options_.units), "the form, whose numbers are m"));

@@ -39,7 +39,7 @@ Estimate<double> resistance_of(const Estimate<double>& h, double gap, double are
 }
 
 /// Value of \p column for the state \p i of \p curve, whose K may be that of an end of its band: \p s.
-Estimate<double> estimate_of(const Column& column, const detail::Problem& problem, const detail::LawCurve& curve,
+Estimate<double> estimate_of(const Column& column, const detail::ResolvedJoint& problem, const detail::LawCurve& curve,
                              std::size_t i, const ContactState<double>& s) {
     if (const auto which = derived_of(column.quantity))
         return derived(*which, problem, curve, i, s,
@@ -53,7 +53,7 @@ Estimate<double> estimate_of(const Column& column, const detail::Problem& proble
         case pressure: return s.pressure;
         case eta: return {s.eta, 0};
         case separation: return s.separation;
-        case approach: return {curve.seated[i] - s.separation.value, 0};
+        case approach: return {curve.separation_at_seating[i] - s.separation.value, 0};
         case stiffness: return s.stiffness;
         case joint_stiffness: return {s.stiffness.value * area, s.stiffness.error * area};
         case loading_stiffness: return s.loading_stiffness;
@@ -195,8 +195,8 @@ std::vector<Column> columns_of(const Scene& scene, const detail::LawCurve& curve
         const bool of_band = statistic == Statistic::p05 || statistic == Statistic::p95;
         const bool given = row.of_law == Quantity::none || detail::has(curve.law->quantities, row.of_law);
         if (!given || (of_band && curve.band.empty())) return;
-        if (row.quantity == CurveQuantity::approach && curve.seated.empty()) return;
-        if (row.quantity == CurveQuantity::loss_factor && curve.growth.empty()) return;
+        if (row.quantity == CurveQuantity::approach && curve.separation_at_seating.empty()) return;
+        if (row.quantity == CurveQuantity::loss_factor && curve.log_slopes.empty()) return;
         using Band = detail::SampledBand<double>;
         const auto end =
             (statistic == Statistic::p05) != (row.of_stiffness == OfStiffness::falls) ? &Band::low : &Band::high;

@@ -170,7 +170,7 @@ std::pair<std::string_view, double> key_and_value(const detail::Face& face, Unkn
 
 /// Puts on record the numbers that \p scene does not give, and that one of \p laws of \p joint, which is that of the
 /// scene, depends on. \return phrases on them.
-std::vector<std::string> take_assumed(Source& source, const Scene& scene, const detail::Problem& joint,
+std::vector<std::string> take_assumed(Source& source, const Scene& scene, const detail::ResolvedJoint& joint,
                                       const std::vector<const detail::Law*>& laws) {
     std::vector<std::string> phrases;
     const auto record = [&](const std::string& key, double value, std::string_view unit) {
@@ -178,13 +178,13 @@ std::vector<std::string> take_assumed(Source& source, const Scene& scene, const 
                          [&](const Input& input) { return input.key == key; }))
             source.record_default(key, "assumed", value, unit);
     };
-    if (joint.hardness_range && feels_hardness(joint, laws)) {
+    if (joint.hardness_range && depends_on_hardness(joint, laws)) {
         record("material.hardness", joint.hardness_range->middle, "Pa");
         phrases.push_back(phrase_of_hardness(scene));
     }
     const bool one_face = scene.faces.empty();
     const std::vector<NamedFace> faces = named_faces(scene);
-    for (const auto& [place, prior] : felt_priors(joint, laws)) {
+    for (const auto& [place, prior] : relevant_priors(joint, laws)) {
         if (prior->origin == detail::Origin::measurement) continue;
         const NamedFace& named = faces[place];
         const auto [end, value] = key_and_value(*named.face, prior->which);
@@ -198,7 +198,7 @@ void take_assumed_numbers(Source& source, Scene& scene) {
     for (std::string& phrase : take_assumed(source, scene, scene, scene.laws))
         scene.assumptions.push_back(std::move(phrase));
     if (scene.best) return;
-    detail::Problem joint = scene;
+    detail::ResolvedJoint joint = scene;
     try {
         const detail::Law& law = law_of_answer(joint, scene.at_separations);
         for (std::string& phrase : take_assumed(source, scene, joint, {&law}))

@@ -179,7 +179,7 @@ detail::Request request_of(const Scene& scene) {
                             .at_separations = scene.at_separations,
                             .answered = points_of_answer(scene),
                             .approach = scene.asks(CurveQuantity::approach),
-                            .growth = scene.asks(CurveQuantity::loss_factor),
+                            .log_slopes = scene.asks(CurveQuantity::loss_factor),
                             .seating = scene.seating,
                             .samples = scene.samples,
                             .seed = scene.seed,

@@ -49,7 +49,7 @@ struct Ball {
 };
 
 /// A joint, what is asked of it, and the text that both come from.
-struct Scene : detail::Problem {
+struct Scene : detail::ResolvedJoint {
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene

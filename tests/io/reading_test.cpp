@@ -52,8 +52,8 @@ TEST_CASE("a record lists its entries in their order and counts missing points",
     RawMap map = map_of(3, 4);
     map.heights[5] = std::numeric_limits<double>::quiet_NaN();
     io::Record record;
-    record.say("form", "a form");
-    record.say_points(map, " (note)");
+    record.note("form", "a form");
+    record.note_points(map, " (note)");
     record.say_trailer(0);
     record.say_trailer(7);
     CHECK(record.sentences() == std::vector<std::string>{"form: a form", "points: 4 x 3, of which 1 missing (note)",

@@ -53,7 +53,7 @@ TEST_CASE("A fit reports each concern beyond its limit") {
     fit.automatic_window = false;
     CHECK(concerns_of(fit).empty());
     fit = sound_fit();
-    fit.behind_plateau = true;
+    fit.after_plateau = true;
     CHECK(concerns_of(fit) == Concerns{saturated});
     fit.flattest_slope = 0.21;
     CHECK(concerns_of(fit).empty());

@@ -75,7 +75,7 @@ struct Step {
     double operator()(double e, double) const { return e < 0.4 ? 0 : 1; }
 };
 struct Untold {
-    static constexpr auto axis = fstiff::Axis::rough;
+    static constexpr auto axis = fstiff::NodeClustering::rough;
     double operator()(double e, double t) const { return Step{}(e, t); }
 };
 

@@ -103,15 +103,17 @@ TEST_CASE("a law with a kink: right to its error estimate, against GSL's adaptiv
 
         const double scale = std::exp(-eta * eta / 2);
         const auto silent = [](const Eigen::Array<double, 8, 1>& excess, double t) { return Kinked{}(excess, t); };
-        const auto untold = fstiff::detail::scaled_tensor_integral<fstiff::Axis::rough>(silent, peaks, eta) * scale;
+        const auto untold =
+            fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::rough>(silent, peaks, eta) * scale;
         INFO("eta " << eta << " value " << untold.value << " truth " << truth << " estimate " << untold.error / truth);
         CHECK(std::abs(untold.value - truth) <= untold.error + 1e-9 * truth);
         CHECK(test::relative_error(untold.value, truth) < 1e-5);  // what 192 nodes leave of a kink
         CHECK(untold.error < 1e-3 * truth);                       // the estimate is of use
 
         for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
-            const auto told =
-                fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(Kinked{}, peaks, eta, {tolerance}) * scale;
+            const auto told = fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::graded>(Kinked{}, peaks,
+                                                                                                     eta, {tolerance}) *
+                              scale;
             INFO("tolerance " << tolerance << " told " << told.value << " estimate " << told.error / truth);
             CHECK(std::abs(told.value - truth) <= told.error + 1e-9 * truth);  // GSL was asked for 1e-9
             CHECK(told.error <= tolerance * truth);
@@ -236,7 +238,7 @@ void covers_its_error(const Law& of_one, double bound) {
         for (const double eta : {-3.0, -0.5, 0.7, 3.0, 8.0}) {
             const double truth = by_panels(law, r, theta, eta);
             for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
-                const auto j = fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(
+                const auto j = fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::graded>(
                     law, PeakDistribution<double>(r, theta), eta, {tolerance});
                 INFO("r " << r << " theta " << theta << " eta " << eta << " tolerance " << tolerance << " error "
                           << j.value / truth - 1 << " estimate " << j.error / truth << " nodes " << j.evaluations);
@@ -277,8 +279,10 @@ TEST_CASE("a law that names a kink where there is none is integrated as if it ha
     for (const double eta : {-2.0, 0.0, 3.0}) {
         const double truth =
             fstiff::contact_integral(1.5, -0.5, peaks, eta).value * std::exp(std::max(eta, 0.0) * eta / 2);
-        const auto graded = fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(NoKink{}, peaks, eta, {1e-10});
-        const auto even = fstiff::detail::scaled_tensor_integral<fstiff::Axis::even>(NoKink{}, peaks, eta, {1e-10});
+        const auto graded =
+            fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::graded>(NoKink{}, peaks, eta, {1e-10});
+        const auto even =
+            fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::even>(NoKink{}, peaks, eta, {1e-10});
         CHECK(std::abs(graded.value - truth) <= graded.error);
         CHECK(std::abs(even.value - truth) <= even.error);
         CHECK(graded.error <= 1e-10 * truth);
@@ -298,10 +302,11 @@ TEST_CASE("the end of a window that falls on a kink changes nothing") {
     };
     const PeakDistribution<double> peaks(0.5, 1);
     const auto smooth = [](const Eight& excess, double t) -> Eight { return excess / std::sqrt(t); };
-    const double truth = fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(smooth, peaks, -3.0).value;
+    const double truth =
+        fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::graded>(smooth, peaks, -3.0).value;
     for (const double depth : {26.0, 27.42, 27.4206807, 28.0}) {
-        const auto j =
-            fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(OnTheEdge{depth}, peaks, -3.0, {1e-8});
+        const auto j = fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::graded>(OnTheEdge{depth}, peaks,
+                                                                                              -3.0, {1e-8});
         INFO("depth " << depth << " error " << j.value / truth - 1 << " estimate " << j.error / truth);
         CHECK(std::abs(j.value - truth) <= j.error);
         CHECK(std::abs(j.value - truth) <= 1e-8 * truth);

@@ -380,7 +380,7 @@ TEST_CASE("A window before a plateau is preferred to the waviness after it") {
     }
     const auto fit = fit_fractal(profile);
     CAPTURE(fit.window.from, fit.window.to, fit.fractal.dimension);
-    CHECK_FALSE(fit.behind_plateau);
+    CHECK_FALSE(fit.after_plateau);
     CHECK(fit.window.from < 10e-6);
     CHECK(std::abs(fit.fractal.dimension - 1.6) < 0.15);  // 1.5 at the shortest lags, and bending
     CHECK(fit.ends != WindowEnd::length);

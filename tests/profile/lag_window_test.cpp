@@ -60,14 +60,14 @@ TEST_CASE("The window ends where S saturates, becomes smooth, or bends") {
         CAPTURE(piece.short_slope, piece.long_slope, lag(log, chosen.range.first), lag(log, chosen.range.last));
         CHECK(detail::why_there(log, chosen.range, chosen.range.first - 1, WindowEnd::sampling) == piece.begins);
         CHECK(detail::why_there(log, chosen.range, chosen.range.last + 1, WindowEnd::length) == piece.ends);
-        CHECK_FALSE(chosen.behind_plateau);
+        CHECK_FALSE(chosen.after_plateau);
     }
 }
 
 TEST_CASE("After a plateau there is a window only where none is before it") {
     const auto log = bent(0.0, 0.9, 20);
     const auto chosen = detail::automatic_range<double>(log, 1e-6, {});
-    CHECK(chosen.behind_plateau);
+    CHECK(chosen.after_plateau);
     CHECK(lag(log, chosen.range.first) >= 15);
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     curve.places = {3};
     state.separation.value = 2e-6;
     curve.states = {state};
-    curve.seated = {5e-6};
+    curve.separation_at_seating = {5e-6};
     curve.band = {{.low = 1e14, .high = 4e14}};
     curve.columns = fstiff::scene::columns_of(scene, curve, true);
     const auto at = [&](scene::CurveQuantity quantity, scene::Statistic statistic = scene::Statistic::value) {
@@ -113,7 +113,7 @@ TEST_CASE("The columns of a curve are its states, and the band of a reflection i
     CHECK(!curve.value_at(2, pressure));
     CHECK(!curve.value_at(3, separation));
     CHECK(fstiff::scene::columns_of(scene, curve, false).size() == curve.columns.size() - 8);
-    curve.seated.clear();  // out of the law's reach: the column is there, without values
+    curve.separation_at_seating.clear();  // out of the law's reach: the column is there, without values
     CHECK(fstiff::scene::columns_of(scene, curve, true).size() == curve.columns.size());
     curve.band.clear();  // of a law that does not vary: the same columns, without values
     CHECK(fstiff::scene::columns_of(scene, curve, true).size() == curve.columns.size());

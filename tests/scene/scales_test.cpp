@@ -49,7 +49,7 @@ TEST_CASE("Each row of the scales is the measurement and the K with its cut-offs
         }
     CHECK(checked > 8);
     CHECK(chosen == 2);  // among both lists
-    CHECK(actions::what_is_settled(scales).size() == 2);
+    CHECK(actions::convergence_sentences(scales).size() == 2);
 }
 
 }  // namespace scales_test

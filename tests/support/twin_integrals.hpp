@@ -27,8 +27,8 @@ template <fstiff::Real T>
     };
     const bool even = a != std::floor(a) && b != std::floor(b);
     const fstiff::Estimate<T> scaled =
-        even ? fstiff::detail::scaled_tensor_integral<fstiff::Axis::even>(monomial, peaks, eta, options)
-             : fstiff::detail::scaled_tensor_integral<fstiff::Axis::graded>(monomial, peaks, eta, options);
+        even ? fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::even>(monomial, peaks, eta, options)
+             : fstiff::detail::scaled_tensor_integral<fstiff::NodeClustering::graded>(monomial, peaks, eta, options);
     const T scale = fstiff::math::gaussian((std::max)(eta, T(0)));
     return {scaled.value * scale, scaled.error * scale + std::numeric_limits<T>::denorm_min(), scaled.evaluations};
 }

@@ -10,7 +10,7 @@ namespace test {
 
 /// Hertz without its powers.
 struct HertzByUser {
-    static constexpr fstiff::Axis axis = fstiff::Axis::even;
+    static constexpr fstiff::NodeClustering axis = fstiff::NodeClustering::even;
     static constexpr bool stiffness_is_slope = true;
     auto load(const auto& omega, double radius) const {
         return (4.0 / 3 * std::sqrt(radius) * omega * sqrt(omega)).eval();

@@ -12,10 +12,10 @@
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// In which form the laws have the surface.
-[[nodiscard]] KnownAs known_as(const Problem& problem);
+[[nodiscard]] KnownAs known_as(const ResolvedJoint& problem);
 
 /// The error of \p law at the p* of \p reason, with that of the grid \p relative to K.
-[[nodiscard]] CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
+[[nodiscard]] CauseSpread<double> law_error(const ResolvedJoint& problem, LawName law, const AnswerReason& reason,
                                             double relative = 0);
 /// Noise over the rms height, above which it is a concern.
 inline constexpr double most_noise = 0.05;
@@ -30,13 +30,13 @@ struct Solved {
     ContactState<double> state{};
     CauseSpread<double> cut_offs{};
     double noise = 0;  ///< change of ln K once the noise of the map is gone
-    std::optional<double> seated{};
+    std::optional<double> separation_at_seating{};
 };
 
 /// Makes \p curve, of law_of_answer() with its states and its band, the answer: at points where boundary elements of
 /// the map know more they take its place, and the band takes in every cause. \p progress is called while they are
 /// solved.
-[[nodiscard]] AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve& curve,
+[[nodiscard]] AnswerFacts make_answer(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
                                       const ProgressHook& progress);
 
 }}}  // namespace fstiff::detail

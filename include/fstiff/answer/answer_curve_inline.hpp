@@ -34,7 +34,7 @@ FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
 }
 
 /// The side [m] of what was measured: of a profile its length, of a map the root of its area; 0 for numbers.
-FSTIFF_INLINE double measured_side(const Problem& problem) {
+FSTIFF_INLINE double measured_side(const ResolvedJoint& problem) {
     double least = 0;
     for (const Face* face : measured_faces(problem)) {
         const double size = face->measured->size, side = face->measured->is_profile ? size : std::sqrt(size);
@@ -43,14 +43,14 @@ FSTIFF_INLINE double measured_side(const Problem& problem) {
     return least;
 }
 
-FSTIFF_INLINE bool is_map_itself(const Problem& problem) {
+FSTIFF_INLINE bool is_map_itself(const ResolvedJoint& problem) {
     return is_map(problem.face) &&
            (!problem.nominal_area || *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area());
 }
 
 /// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not
 /// known.
-FSTIFF_INLINE double counted_area(const Problem& problem) {
+FSTIFF_INLINE double counted_area(const ResolvedJoint& problem) {
     return problem.nominal_area ? *problem.nominal_area : std::pow(measured_side(problem), 2);
 }
 
@@ -77,7 +77,7 @@ FSTIFF_INLINE void take_band(Causes<double>& causes, double value, const Sampled
 
 /// Uncertainty of a profile of a face with a lay: the length of the ridges if it is across the lay, else the profile
 /// across.
-FSTIFF_INLINE CauseSpread<double> of_lay(const Problem& problem) {
+FSTIFF_INLINE CauseSpread<double> of_lay(const ResolvedJoint& problem) {
     constexpr double softer = 4, stiffer = 2, heavy = 1.5;  // along and across turned, milled, planed and ground maps
     if (has_lay(problem)) return {-std::log(heavy), std::log(detail::lay_factor)};
     for (const Face* face : measured_faces(problem))
@@ -96,7 +96,7 @@ FSTIFF_INLINE HeightShape<double> farthest_shape(const Face& face) {
     return shape;
 }
 
-FSTIFF_INLINE CauseSpread<double> law_error(const Problem& problem, LawName law, const AnswerReason& reason,
+FSTIFF_INLINE CauseSpread<double> law_error(const ResolvedJoint& problem, LawName law, const AnswerReason& reason,
                                             double grid) {
     LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
@@ -111,7 +111,7 @@ FSTIFF_INLINE CauseSpread<double> law_error(const Problem& problem, LawName law,
     return {-std::hypot(error.low, grid), std::hypot(error.high, grid)};
 }
 
-FSTIFF_INLINE KnownAs known_as(const Problem& problem) {
+FSTIFF_INLINE KnownAs known_as(const ResolvedJoint& problem) {
     if (is_map(problem.face)) return KnownAs::map;
     if (!measured_faces(problem).empty()) return KnownAs::trace;
     constexpr double spread_of_height = 4;  // of a gradient by the height alone, 95 % over 5 %; all else gives less
@@ -127,7 +127,7 @@ FSTIFF_INLINE CauseSpread<double> toward(const CauseSpread<double>& from, const 
 }
 
 /// What one shift of two maps has over the mean of those that were computed, whose scatter is in \p K.
-FSTIFF_INLINE CauseSpread<double> scatter_of_shifts(const Problem& problem, const Estimate<double>& K) {
+FSTIFF_INLINE CauseSpread<double> scatter_of_shifts(const ResolvedJoint& problem, const Estimate<double>& K) {
     const auto shifts = static_cast<double>(problem.face.map->maps.size());
     const double t = math::student_quantile(math::normal_95<double>, static_cast<int>(shifts) - 1),
                  scatter = t * std::sqrt(1 + 1 / shifts) * K.error / K.value;
@@ -136,7 +136,7 @@ FSTIFF_INLINE CauseSpread<double> scatter_of_shifts(const Problem& problem, cons
 
 /// Takes \p to with its weight into the state \p i of \p curve, K and the loading stiffness by their logarithms, and
 /// its causes into \p reason.
-FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size_t i, LawCurve& curve,
+FSTIFF_INLINE void hand_over(const ResolvedJoint& problem, const Solved& to, std::size_t i, LawCurve& curve,
                              AnswerReason& reason) {
     ContactState<double>& from = curve.states[i];
     const auto take = [&](Estimate<double> ContactState<double>::*member) {
@@ -158,7 +158,9 @@ FSTIFF_INLINE void hand_over(const Problem& problem, const Solved& to, std::size
     take(&ContactState<double>::loading_stiffness);
     take(&ContactState<double>::real_area_fraction);
     from.separation.value = std::lerp(from.separation.value, to.state.separation.value, to.weight);
-    if (!curve.seated.empty() && to.seated) curve.seated[i] = std::lerp(curve.seated[i], *to.seated, to.weight);
+    if (!curve.separation_at_seating.empty() && to.separation_at_seating)
+        curve.separation_at_seating[i] =
+            std::lerp(curve.separation_at_seating[i], *to.separation_at_seating, to.weight);
 }
 
 /// ln of the upper end that the error of a law alone gives, at a pressure and the greatest below it.
@@ -168,7 +170,7 @@ struct LightEnd {
 
 /// These of \p law at light loads, in the order of the pressures: its error grows towards them, of bounded heights
 /// faster than K falls, but what K is not above under more pressure it is not above under less. None of a map.
-FSTIFF_INLINE std::vector<LightEnd> light_ends(const Problem& problem, const LawCurve& curve) {
+FSTIFF_INLINE std::vector<LightEnd> light_ends(const ResolvedJoint& problem, const LawCurve& curve) {
     std::vector<LightEnd> ends;
     if (is_map(problem.face) || !curve.rms_gradient) return ends;
     constexpr int count = 48, a_decade = 8;
@@ -208,7 +210,7 @@ FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& state
         bands[order[k - 2]].low = (std::min)(bands[order[k - 2]].low, bands[order[k - 1]].low);
 }
 
-FSTIFF_INLINE AnswerFacts make_answer(const Problem& problem, const Request& request, LawCurve& curve,
+FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
                                       const ProgressHook& progress) {
     AnswerFacts facts;
     facts.relative_hardness = relative_hardness(problem);

@@ -40,11 +40,11 @@ namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
 
-FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const Problem& problem, const Law& law) {
+FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const ResolvedJoint& problem, const Law& law) {
     std::vector<AssumedNumber> numbers;
-    if (const auto& range = problem.hardness_range; range && feels_hardness(problem, {&law}))
+    if (const auto& range = problem.hardness_range; range && depends_on_hardness(problem, {&law}))
         numbers.push_back({Unknown::hardness, {range->low, range->middle, range->high}});
-    for (const auto& [face, prior] : felt_priors(problem, {&law}))
+    for (const auto& [face, prior] : relevant_priors(problem, {&law}))
         if (const auto& [low, middle, high] = prior->range; prior->origin != Origin::measurement)
             numbers.push_back({prior->which, {low, middle, high}, face > 0});
     return numbers;
@@ -55,10 +55,10 @@ FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
 }
 
 /// What follows from K of the state \p i of \p curve, into \p point.
-FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::size_t i, AnswerPoint& point) {
+FSTIFF_INLINE void derive(const ResolvedJoint& problem, const LawCurve& curve, std::size_t i, AnswerPoint& point) {
     const ContactState<double>& state = curve.states[i];
     const auto put = [&](Derived quantity, std::optional<Banded>& into) {
-        if (!can_derive(quantity, problem) || (quantity == Derived::loss_factor && curve.growth.empty())) return;
+        if (!can_derive(quantity, problem) || (quantity == Derived::loss_factor && curve.log_slopes.empty())) return;
         const auto bound = [&](double K, BandEnd end) {
             ContactState<double> other = state;
             if (end != BandEnd::value) other.stiffness = {K, 0};
@@ -79,7 +79,7 @@ FSTIFF_INLINE void derive(const Problem& problem, const LawCurve& curve, std::si
 }
 
 /// The points of \p curve at \p pressures.
-FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const LawCurve& curve,
+FSTIFF_INLINE std::vector<AnswerPoint> points_of(const ResolvedJoint& problem, const LawCurve& curve,
                                                  std::span<const double> pressures) {
     std::vector<AnswerPoint> points(pressures.size());
     for (const MissedPoint& missed : curve.missed)
@@ -93,7 +93,8 @@ FSTIFF_INLINE std::vector<AnswerPoint> points_of(const Problem& problem, const L
         point.pressure = pressures[curve.places[i]];
         point.stiffness = curve.band.empty() ? Banded{K, K, K} : Banded{curve.band[i].low, K, curve.band[i].high};
         point.law = curve.law_at(i).which;
-        if (!curve.seated.empty()) point.approach = curve.seated[i] - curve.states[i].separation.value;
+        if (!curve.separation_at_seating.empty())
+            point.approach = curve.separation_at_seating[i] - curve.states[i].separation.value;
         derive(problem, curve, i, point);
     }
     return points;
@@ -111,10 +112,10 @@ FSTIFF_INLINE void require_options(std::span<const double> pressures, const Answ
 
 FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
     detail::require_options(pressures, options);
-    const detail::Problem problem = detail::problem_of(joint, detail::law_options(options));
+    const detail::ResolvedJoint problem = detail::problem_of(joint, detail::law_options(options));
     detail::Request request{.points = {pressures.begin(), pressures.end()},
                             .approach = true,
-                            .growth = can_derive(detail::Derived::loss_factor, problem),
+                            .log_slopes = can_derive(detail::Derived::loss_factor, problem),
                             .seating = options.seating,
                             .samples = options.samples,
                             .seed = options.seed,
@@ -179,12 +180,12 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<
 FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, const ChosenLaw& law,
                                                            const AnswerOptions& options) {
     struct Kept {
-        detail::Problem problem;
+        detail::ResolvedJoint problem;
         std::unique_ptr<AnyContact> contact;
     };
     const auto kept = std::make_shared<Kept>(Kept{detail::problem_of(joint, detail::law_options(options)), nullptr});
     const detail::Law& row = detail::possible_law(law, kept->problem);
-    if (kept->problem.hardness_range && feels_hardness(kept->problem, {&row}))
+    if (kept->problem.hardness_range && depends_on_hardness(kept->problem, {&row}))
         throw domain_error("law " + std::string(row.name) + ": needs hardness or yield_strength of both bodies");
     for_each_contact(kept->problem, {&row}, options.progress, [&](const detail::ContactOfLaw& recipe) {
         if (!kept->contact) kept->contact = recipe.make();

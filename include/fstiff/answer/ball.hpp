@@ -61,7 +61,7 @@ struct BallOnFace {
 
 /// The ball of the radius \p radius [m] on the face of \p problem under each of \p loads [N], by the answer \p curve,
 /// whose pressures rise. \throws domain_error for less than two states.
-[[nodiscard]] inline std::vector<BallOnFace> balls_on_answer(const Problem& problem, const LawCurve& curve,
+[[nodiscard]] inline std::vector<BallOnFace> balls_on_answer(const ResolvedJoint& problem, const LawCurve& curve,
                                                              const AnswerFacts& facts, double radius,
                                                              const std::vector<double>& loads) {
     const auto law = [&](BandEnd end) { return law_at(end, curve, facts, problem.face.parameters.rms_height.value); };

@@ -27,7 +27,7 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// What a band draws of a surface in addition to its parameters.
 struct FurtherDraw {
-    double steeper = 1;                ///< gradient by its own error, over what it was
+    double gradient_factor = 1;        ///< gradient by its own error, over what it was
     std::size_t shift = 0;             ///< of the map
     std::vector<std::size_t> tiles{};  ///< how often each of the map is there
 };
@@ -45,7 +45,7 @@ FSTIFF_INLINE std::vector<FurtherDraw> further_draws(const Face& face, std::size
     std::uint64_t of_tiles = seed, of_gradients = ~seed;
     std::vector<FurtherDraw> draws(count);
     for (FurtherDraw& draw : draws) {
-        if (face.rms_gradient) draw.steeper = drawn_gradient(face, of_gradients);
+        if (face.rms_gradient) draw.gradient_factor = drawn_gradient(face, of_gradients);
         if (!face.map) continue;
         if (const std::size_t shifts = face.map->summits.size(); shifts > 1)
             draw.shift = math::splitmix64(of_tiles) % shifts;
@@ -55,25 +55,26 @@ FSTIFF_INLINE std::vector<FurtherDraw> further_draws(const Face& face, std::size
 }
 
 /// \p problem with the surface \p drawn about its own. Of a map the tiles are drawn anew.
-FSTIFF_INLINE Problem with_surface(Problem problem, const std::array<double, detail::surface_parameter_count>& drawn,
-                                   const FurtherDraw& further) {
+FSTIFF_INLINE ResolvedJoint with_surface(ResolvedJoint problem,
+                                         const std::array<double, detail::surface_parameter_count>& drawn,
+                                         const FurtherDraw& further) {
     Face& face = problem.face;
     const double rms_height = face.parameters.rms_height.value;
     const auto value = [&](Parameter parameter) { return drawn[detail::index_of(parameter)]; };
     face.draw(drawn);
-    const double taller = face.parameters.rms_height.value / rms_height;
+    const double height_factor = face.parameters.rms_height.value / rms_height;
     if (face.rms_gradient) {
-        *face.rms_gradient *= further.steeper * std::pow(taller, face.gradient_growth);
+        *face.rms_gradient *= further.gradient_factor * std::pow(height_factor, face.gradient_growth);
         face.follow();
     }
-    if (face.map) face.map = face.map->resampled(further.shift, tiles_a_side, further.tiles, taller);
+    if (face.map) face.map = face.map->resampled(further.shift, tiles_a_side, further.tiles, height_factor);
     for (Peaks& peaks : problem.peaks)
         if (peaks.of_surface) peaks.r = value(Parameter::r), peaks.theta = value(Parameter::theta);
     return problem;
 }
 
 /// \p problem with a neighbour of its surface.
-FSTIFF_INLINE Problem with_face(Problem problem, const Face& face) {
+FSTIFF_INLINE ResolvedJoint with_face(ResolvedJoint problem, const Face& face) {
     problem.face = face;
     for (Peaks& peaks : problem.peaks)
         if (peaks.of_surface && face.has_peaks())
@@ -119,7 +120,7 @@ FSTIFF_INLINE std::vector<double> by_few(Request request, const Law& law, const 
 
 /// K of every curve and point of \p request, one after the other; NaN for a surface that the law does not take, such as
 /// a D next to 2.
-FSTIFF_INLINE std::vector<double> stiffnesses(const Problem& problem, const Request& request) {
+FSTIFF_INLINE std::vector<double> stiffnesses(const ResolvedJoint& problem, const Request& request) {
     std::vector<double> result;
     for_each_contact(problem, request.laws, {}, [&](const ContactOfLaw& recipe) {
         try {
@@ -139,8 +140,8 @@ FSTIFF_INLINE std::vector<double> stiffnesses(const Problem& problem, const Requ
 }
 
 /// \p problem as it is copied with every surface: with what the laws of \p request take in their quick form.
-FSTIFF_INLINE Problem lean_problem(const Problem& problem, const Request& request) {
-    Problem lean = problem;
+FSTIFF_INLINE ResolvedJoint lean_problem(const ResolvedJoint& problem, const Request& request) {
+    ResolvedJoint lean = problem;
     lean.face.measured.reset();
     lean.face.heights.reset();
     lean.faces.clear();
@@ -153,13 +154,14 @@ FSTIFF_INLINE Problem lean_problem(const Problem& problem, const Request& reques
 }
 
 /// K of every curve and point with D greater and smaller by what the windows of lags leave open: 5 % and 95 % of it.
-FSTIFF_INLINE std::vector<std::vector<double>> behind_other_windows(const Problem& lean, const Request& request) {
+FSTIFF_INLINE std::vector<std::vector<double>> curves_of_other_windows(const ResolvedJoint& lean,
+                                                                       const Request& request) {
     std::vector<std::vector<double>> curves;
     const SurfaceParameters<double>& surface = lean.face.parameters;
     if (!surface.fractal_dimension || !(surface.dimension_window_error > 0)) return curves;
     for (const double dimension :
          detail::dimensions_of_other_windows(surface.fractal_dimension->value, surface.dimension_window_error)) {
-        Problem other = lean;
+        ResolvedJoint other = lean;
         other.face.parameters.fractal_dimension->value = dimension;
         curves.push_back(stiffnesses(other, request));
     }
@@ -167,16 +169,17 @@ FSTIFF_INLINE std::vector<std::vector<double>> behind_other_windows(const Proble
 }
 
 /// K of every curve and point of the surfaces that have one unknown of \p problem at its ends, over that of \p lean.
-FSTIFF_INLINE std::vector<UnknownCurves<double>> behind_unknowns(const Problem& problem,
-                                                                 const std::vector<const Law*>& laws, Problem lean,
-                                                                 const Request& request) {
+FSTIFF_INLINE std::vector<UnknownCurves<double>> curves_at_ends_of_unknowns(const ResolvedJoint& problem,
+                                                                            const std::vector<const Law*>& laws,
+                                                                            ResolvedJoint lean,
+                                                                            const Request& request) {
     std::vector<UnknownCurves<double>> curves;
     const std::vector<Alternative> others = alternatives(problem, laws);
-    const bool of_hardness = problem.hardness_range && feels_hardness(problem, laws);
+    const bool of_hardness = problem.hardness_range && depends_on_hardness(problem, laws);
     if (others.empty() && !of_hardness) return curves;
     lean.similar = hybrids_of_numbers(lean.law_options.gamma);
     const std::vector<double> own = stiffnesses(lean, request);
-    const auto over_own = [&](const Problem& variant) {
+    const auto over_own = [&](const ResolvedJoint& variant) {
         std::vector<double> other = stiffnesses(variant, request);
         other.resize(own.size(), std::numeric_limits<double>::quiet_NaN());
         std::transform(other.begin(), other.end(), own.begin(), other.begin(), std::divides<>());
@@ -191,7 +194,7 @@ FSTIFF_INLINE std::vector<UnknownCurves<double>> behind_unknowns(const Problem& 
 }
 
 /// Bands over the errors of the surface, one for each value of stiffnesses().
-FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const Request& request,
+FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(ResolvedJoint lean, const Request& request,
                                                            const ProgressHook& progress) {
     lean.similar = hybrids_of_draws(lean.face.bearing.get(), lean.law_options.gamma);
     const auto samples = static_cast<std::size_t>(request.samples);
@@ -202,7 +205,7 @@ FSTIFF_INLINE std::vector<SampledBand<double>> drawn_bands(Problem lean, const R
         {samples, request.seed, progress, request.parallel});
 }
 
-FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request) {
+FSTIFF_INLINE void make_contacts(const ResolvedJoint& problem, const Request& request) {
     std::vector<const MapOfSurface*> maps;
     std::vector<std::function<void()>> parts;
     const auto add = [&](const Face& face) {  // neighbours may have the map of the surface itself
@@ -222,13 +225,13 @@ FSTIFF_INLINE void make_contacts(const Problem& problem, const Request& request)
 }
 
 /// add_bands() at every point of \p request.
-FSTIFF_INLINE std::size_t add_every_band(const Problem& problem, Request request, std::vector<LawCurve>& curves,
+FSTIFF_INLINE std::size_t add_every_band(const ResolvedJoint& problem, Request request, std::vector<LawCurve>& curves,
                                          const ProgressHook& progress) {
     const std::vector<const Law*> laws = request.laws;
     std::erase_if(request.laws, [](const Law* law) { return !law->varies; });
-    const Problem lean = lean_problem(problem, request);
+    const ResolvedJoint lean = lean_problem(problem, request);
     const bool has_errors = problem.face.has_measured_errors();
-    const auto of_unknowns = behind_unknowns(problem, laws, lean, request);
+    const auto of_unknowns = curves_at_ends_of_unknowns(problem, laws, lean, request);
     if (!has_errors && of_unknowns.empty()) return 0;
     std::vector<SampledBand<double>> bands;
     if (has_errors) bands = drawn_bands(lean, request, progress);
@@ -240,7 +243,7 @@ FSTIFF_INLINE std::size_t add_every_band(const Problem& problem, Request request
     }
     if (is_of_traces(problem) && problem.face.parameters.long_end.form_share > 0.01)
         of_neighbours.push_back(stiffnesses(with_face(lean, with_form(problem.face)), request));
-    const auto of_windows = behind_other_windows(lean, request);
+    const auto of_windows = curves_of_other_windows(lean, request);
     const bool lay = has_lay(problem);
     std::size_t failed = 0, next = 0;
     for (LawCurve& curve : curves) {
@@ -322,7 +325,7 @@ void spread_bands(const LawCurve& few, const std::vector<std::size_t>& nodes, co
     }
 }
 
-FSTIFF_INLINE std::size_t add_bands(const Problem& problem, Request request, std::vector<LawCurve>& curves,
+FSTIFF_INLINE std::size_t add_bands(const ResolvedJoint& problem, Request request, std::vector<LawCurve>& curves,
                                     const ProgressHook& progress) {
     if (request.points.size() <= many_points) return add_every_band(problem, std::move(request), curves, progress);
     constexpr double step = 1.0 / 16;

@@ -17,22 +17,23 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The parameters of \p problem on which no result can rest, because they are not known to a factor of two; an answer
 /// rests on the rms height and the gradient alone.
-[[nodiscard]] std::vector<Parameter> unknown_parameters(const Problem& problem, bool of_answer);
+[[nodiscard]] std::vector<Parameter> unknown_parameters(const ResolvedJoint& problem, bool of_answer);
 /// What of \p problem and of \p pressures [Pa] is likely in another unit: an rms height above 1 mm, a modulus below
 /// 1 kPa, pressures below 1e-9 of the effective modulus.
-[[nodiscard]] std::vector<Check<double>> unlikely_units(const Problem& problem, std::span<const double> pressures);
+[[nodiscard]] std::vector<Check<double>> unlikely_units(const ResolvedJoint& problem,
+                                                        std::span<const double> pressures);
 /// "rms height 0.8 m is above 1 mm: a unit is likely wrong", of a check of unlikely_units().
 [[nodiscard]] std::string sentence_of_unit(const Check<double>& check);
 /// Whether \p check, which does not hold of an answer at \p points, makes it doubtful.
 [[nodiscard]] bool makes_doubtful(const Check<double>& check, std::size_t points);
 /// How far the states of \p curve by law plastic are beyond all that it was compared with; none: not at all.
-[[nodiscard]] std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve);
-/// The rms gradient of \p face, whose peaks have the correlation of the greatest entry of Problem::peaks, where no
+[[nodiscard]] std::optional<Check<double>> beyond_comparison(const ResolvedJoint& problem, const LawCurve& curve);
+/// The rms gradient of \p face, whose peaks have the correlation of the greatest entry of ResolvedJoint::peaks, where no
 /// surface has it.
-[[nodiscard]] std::optional<ImplausibleGradient> implausible_gradient(const Problem& problem, const Face& face);
+[[nodiscard]] std::optional<ImplausibleGradient> implausible_gradient(const ResolvedJoint& problem, const Face& face);
 /// All checks that do not hold of \p curve, the answer to \p request; `first` is a place among Request::points, or 0 of
 /// the surface.
-[[nodiscard]] std::vector<Check<double>> concerns_of(const Problem& problem, const LawCurve& curve);
+[[nodiscard]] std::vector<Check<double>> concerns_of(const ResolvedJoint& problem, const LawCurve& curve);
 
 /// The measurement that narrows the band most.
 struct NextMeasurement {
@@ -40,7 +41,7 @@ struct NextMeasurement {
     double factor = 0;               ///< high over low of the band once it finds what is assumed now
 };
 /// Of the band of \p answer at its state \p i; none where nothing narrows that factor by a twentieth.
-[[nodiscard]] std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,
+[[nodiscard]] std::optional<NextMeasurement> next_measurement(const ResolvedJoint& problem, const Request& request,
                                                               const LawCurve& answer, const AnswerFacts& facts,
                                                               std::size_t i);
 

@@ -24,7 +24,7 @@
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, bool of_answer) {
+FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const ResolvedJoint& problem, bool of_answer) {
     const auto measured = measured_faces(problem);
     std::vector<Parameter> parameters =  // of a sum: what is unknown of one face may not matter next to the other
         problem.face.measured ? detail::unknown_parameters(*problem.face.measured, problem.face.parameters)
@@ -42,7 +42,8 @@ FSTIFF_INLINE std::vector<Parameter> unknown_parameters(const Problem& problem, 
     return parameters;
 }
 
-FSTIFF_INLINE std::vector<Check<double>> unlikely_units(const Problem& problem, std::span<const double> pressures) {
+FSTIFF_INLINE std::vector<Check<double>> unlikely_units(const ResolvedJoint& problem,
+                                                        std::span<const double> pressures) {
     std::vector<Check<double>> checks;
     double height = 0, modulus = problem.effective_modulus;
     for (const Face* face : rough_faces(problem)) height = (std::max)(height, face->parameters.rms_height.value);
@@ -85,7 +86,7 @@ FSTIFF_INLINE bool makes_doubtful(const Check<double>& check, std::size_t points
     }
 }
 
-FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const Problem& problem, const LawCurve& curve) {
+FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const ResolvedJoint& problem, const LawCurve& curve) {
     Check<double> check{.concern = Concern::beyond_comparison,
                         .limit = detail::max_compared_flow * hardness_of(problem)};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
@@ -97,13 +98,13 @@ FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const Problem& prob
     return check.holds() ? std::nullopt : std::optional(check);
 }
 
-FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const Problem& problem, const Face& face) {
+FSTIFF_INLINE std::optional<ImplausibleGradient> implausible_gradient(const ResolvedJoint& problem, const Face& face) {
     double r = 0;  // the greatest, 1/2 where none is written
     for (const Peaks& peaks : problem.peaks) r = (std::max)(r, peaks.r.value_or(0.5));
     return implausible_gradient(face, r);
 }
 
-FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, const LawCurve& curve) {
+FSTIFF_INLINE std::vector<Check<double>> concerns_of(const ResolvedJoint& problem, const LawCurve& curve) {
     std::vector<Check<double>> checks;
     const auto add = [&](Concern concern, double value, double limit) {
         checks.push_back(detail::surface_check(concern, value, limit, false));
@@ -142,13 +143,13 @@ FSTIFF_INLINE std::vector<Check<double>> concerns_of(const Problem& problem, con
 }
 
 /// High over low of the band at the point \p place once \p unknown of the faces is known; infinite without a band.
-FSTIFF_INLINE double factor_of_known(Problem problem, Request request, std::size_t place, Unknown unknown) {
+FSTIFF_INLINE double factor_of_known(ResolvedJoint problem, Request request, std::size_t place, Unknown unknown) {
     for (Face& face : problem.faces) face = with_measured(std::move(face), unknown);
     problem.face = with_measured(std::move(problem.face), unknown);
     request.points = {request.points[place]};
     request.answered = {0};
     request.laws.clear();
-    request.approach = request.growth = request.checked = false;
+    request.approach = request.log_slopes = request.checked = false;
     try {
         const LawCurve curve = *curves_of(problem, request).answer;
         if (!curve.band.empty()) return curve.band.front().high / curve.band.front().low;
@@ -165,7 +166,7 @@ FSTIFF_INLINE double factor_of(const Causes<double>& causes) {
 
 /// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
 /// longer.
-FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason& reason) {
+FSTIFF_INLINE double factor_of_larger(const ResolvedJoint& problem, const AnswerReason& reason) {
     Causes<double> causes = reason.causes;
     const bool profile = measured_faces(problem).front()->measured->is_profile;
     const auto scale = [&](Cause cause, double factor) {
@@ -184,7 +185,7 @@ FSTIFF_INLINE double factor_of_larger(const Problem& problem, const AnswerReason
     return factor_of(causes);
 }
 
-FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& problem, const Request& request,
+FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const ResolvedJoint& problem, const Request& request,
                                                               const LawCurve& answer, const AnswerFacts& facts,
                                                               std::size_t i) {
     const bool map = problem.face.map && problem.face.spectrum_of_map, measured = !measured_faces(problem).empty();
@@ -208,7 +209,7 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const Problem& pro
             consider(steep * height.value > height.error ? Unknown::gradient : Unknown::height,
                      factor_without(Cause::measurement));
     }
-    if (problem.hardness_range && feels_hardness(problem, {answer.law}))
+    if (problem.hardness_range && depends_on_hardness(problem, {answer.law}))
         consider(Unknown::hardness, factor_without(Cause::hardness));
     const bool map_is_better = causes[static_cast<std::size_t>(Cause::lay)].high > 0;
     if (measured && !facts.of_map_itself)

@@ -39,7 +39,7 @@ struct MissedPoint {
     double limit = 0;      ///< the pressure of Miss::hardness and Miss::closed [Pa]
 };
 /// Why \p missed, at \p pressure [Pa], has no state; \p text is a pressure with its unit.
-[[nodiscard]] std::string reason_of(const Problem& problem, const MissedPoint& missed, double pressure,
+[[nodiscard]] std::string reason_of(const ResolvedJoint& problem, const MissedPoint& missed, double pressure,
                                     std::string (*text)(double pressure));
 
 /// One law on one joint distribution of peaks, at every point that the law reaches.
@@ -48,11 +48,11 @@ struct LawCurve {
     std::optional<double> theta{}, r{};    ///< none: a law without a joint distribution
     std::optional<double> rms_gradient{};  ///< of the surface, for p*; the same in every curve
     std::vector<ContactState<double>> states{};
-    std::vector<std::size_t> places{};        ///< of the states among Request::points
-    std::vector<MissedPoint> missed{};        ///< the other points
-    std::vector<double> seated{};             ///< separation at Request::seating [m], one a state; empty: not known
-    std::string not_seated{};                 ///< why not, where it was asked for
-    std::vector<double> growth{};             ///< d log K/d log p below each state; empty: not asked for, or not known
+    std::vector<std::size_t> places{};            ///< of the states among Request::points
+    std::vector<MissedPoint> missed{};            ///< the other points
+    std::vector<double> separation_at_seating{};  ///< separation at Request::seating [m], one a state; empty: not known
+    std::string no_separation_at_seating{};       ///< why not, where it was asked for
+    std::vector<double> log_slopes{};         ///< d log K/d log p below each state; empty: not asked for, or not known
     std::vector<Check<double>> checks{};      ///< of the states as the law gives them
     std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: it has none
@@ -97,21 +97,21 @@ struct MadeContact {
     std::shared_ptr<const AnyContact> contact;
 };
 /// The contacts of \p laws; \p problem must live as long.
-[[nodiscard]] std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<const Law*>& laws,
+[[nodiscard]] std::vector<MadeContact> contacts_of(const ResolvedJoint& problem, const std::vector<const Law*>& laws,
                                                    const ProgressHook& progress = {});
 
 /// Where the approach of \p curve, which has its states, begins, or why \p contact has no separation there.
-void seat(const Request& request, const AnyContact& contact, LawCurve& curve);
+void add_seating(const Request& request, const AnyContact& contact, LawCurve& curve);
 
 /// The law that answers where no boundary elements do: plastic where the peaks yield, hybrid where they do not. A map
 /// with missing points answers by its numbers: \p problem takes no spectrum of it then.
 /// \throws domain_error where no law answers.
-[[nodiscard]] const Law& law_of_answer(Problem& problem, bool at_separations);
+[[nodiscard]] const Law& law_of_answer(ResolvedJoint& problem, bool at_separations);
 
 /// What \p request asks of \p problem, by \p contacts where they are those of its laws. Next to more than 100
 /// points of named laws the answer is at Request::answered alone. No band and no answer where no named law has a state.
 /// \throws domain_error where the model cannot give it.
-[[nodiscard]] Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress = {},
+[[nodiscard]] Curves curves_of(const ResolvedJoint& problem, const Request& request, const ProgressHook& progress = {},
                                const std::vector<MadeContact>* contacts = nullptr);
 
 }}}  // namespace fstiff::detail

@@ -41,7 +41,7 @@ FSTIFF_INLINE double reach_of(const AnyContact& contact, double pressure) {
 }
 
 /// Replaces the reason of a law that has no state at a pressure above its states by the limit, where this is known.
-FSTIFF_INLINE void find_limit(const Problem& problem, const Request& request, const AnyContact& contact,
+FSTIFF_INLINE void find_limit(const ResolvedJoint& problem, const Request& request, const AnyContact& contact,
                               LawCurve& curve) {
     if (request.at_separations || !curve.law->varies || !curve.law->holds_when_crowded) return;
     double greatest = 0;
@@ -65,7 +65,7 @@ FSTIFF_INLINE void find_limit(const Problem& problem, const Request& request, co
 
 /// Puts \p points of \p contact into \p curve, as states or as what the law does not reach. A gradient so small that p*
 /// is beyond the range of double precision is as good as unknown.
-FSTIFF_INLINE void take_points(const Problem& problem, const Request& request, LawCurve& curve,
+FSTIFF_INLINE void take_points(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
                                const AnyContact& contact, const std::vector<ContactPoint<double>>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].ok()) {
@@ -87,20 +87,21 @@ FSTIFF_INLINE void take_points(const Problem& problem, const Request& request, L
 
 /// d log K/d log p of \p curve, which has its states, over the pressures below each: what the loss factor takes of the
 /// law. None where \p contact has no K there.
-FSTIFF_INLINE void grow(const AnyContact& contact, LawCurve& curve) {
+FSTIFF_INLINE void add_log_slopes(const AnyContact& contact, LawCurve& curve) {
     constexpr double share = 0.6;
     std::vector<double> pressures;
     for (const ContactState<double>& state : curve.states) pressures.push_back(share * state.pressure.value);
     const auto points = points_of({.points = pressures}, *curve.law, contact, Quantity::stiffness);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double ratio = curve.states[i].stiffness.value / points[i].state.stiffness.value;
-        if (!points[i].ok() || !(ratio > 0)) return curve.growth.clear();
-        curve.growth.push_back(std::clamp(std::log(ratio) / -std::log(share), 0.0, 1.9));
+        if (!points[i].ok() || !(ratio > 0)) return curve.log_slopes.clear();
+        curve.log_slopes.push_back(std::clamp(std::log(ratio) / -std::log(share), 0.0, 1.9));
     }
 }
 
 /// The checks of \p curve that mean something of its law.
-FSTIFF_INLINE std::vector<Check<double>> checks_of(const Problem& problem, const LawCurve& curve, Quantity quantities) {
+FSTIFF_INLINE std::vector<Check<double>> checks_of(const ResolvedJoint& problem, const LawCurve& curve,
+                                                   Quantity quantities) {
     std::vector<Check<double>> checks =
         detail::check_curve<double>(curve.states,
                                     {.effective_modulus = problem.effective_modulus,
@@ -118,13 +119,13 @@ FSTIFF_INLINE std::vector<Check<double>> checks_of(const Problem& problem, const
 }
 
 /// \p curve with its states by \p contact, and what else \p request asks for, but no band.
-FSTIFF_INLINE LawCurve curve_of(const Problem& problem, const Request& request, LawCurve curve,
+FSTIFF_INLINE LawCurve curve_of(const ResolvedJoint& problem, const Request& request, LawCurve curve,
                                 const AnyContact& contact, Quantity quantities, const ProgressHook& progress) {
     const Quantity given =
         static_cast<Quantity>(static_cast<unsigned>(quantities) & static_cast<unsigned>(curve.law->quantities));
     take_points(problem, request, curve, contact, points_of(request, *curve.law, contact, given, progress));
-    if (request.approach) seat(request, contact, curve);
-    if (request.growth) grow(contact, curve);
+    if (request.approach) add_seating(request, contact, curve);
+    if (request.log_slopes) add_log_slopes(contact, curve);
     if (!request.checked) return curve;
     curve.checks = checks_of(problem, curve, given);
     std::vector<double> etas;
@@ -138,7 +139,7 @@ FSTIFF_INLINE bool has_states(const std::vector<LawCurve>& curves) {
 }
 
 /// The curves of \p request, whose laws are named, with their bands.
-FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Quantity quantities,
+FSTIFF_INLINE void add_curves(const ResolvedJoint& problem, const Request& request, Quantity quantities,
                               const ProgressHook& progress, const std::vector<MadeContact>* contacts,
                               std::vector<LawCurve>& curves, std::size_t& failed) {
     std::size_t count = 0;
@@ -164,7 +165,7 @@ FSTIFF_INLINE void add_curves(const Problem& problem, const Request& request, Qu
 }
 
 /// The answer of \p request, which names no law.
-FSTIFF_INLINE void add_answer(Problem problem, Request request, const ProgressHook& progress,
+FSTIFF_INLINE void add_answer(ResolvedJoint problem, Request request, const ProgressHook& progress,
                               const std::vector<MadeContact>* contacts, Curves& result) {
     request.laws = {&law_of_answer(problem, request.at_separations)};
     std::vector<LawCurve> curves;
@@ -175,7 +176,7 @@ FSTIFF_INLINE void add_answer(Problem problem, Request request, const ProgressHo
 
 /// The answer next to laws that are named. A band costs more than a curve: of many points it is of those that are
 /// answered.
-FSTIFF_INLINE void add_answer_to_named(const Problem& problem, Request request, Curves& result) {
+FSTIFF_INLINE void add_answer_to_named(const ResolvedJoint& problem, Request request, Curves& result) {
     constexpr std::size_t many = 100;
     std::vector<std::size_t> places;
     if (request.points.size() > many) {
@@ -206,15 +207,15 @@ FSTIFF_INLINE std::optional<std::size_t> LawCurve::state_at(std::size_t place) c
     return static_cast<std::size_t>(match - places.begin());
 }
 
-FSTIFF_INLINE void seat(const Request& request, const AnyContact& contact, LawCurve& curve) {
+FSTIFF_INLINE void add_seating(const Request& request, const AnyContact& contact, LawCurve& curve) {
     const auto point = contact.at_pressures(std::span(&request.seating, 1), Quantity::separation).front();
     if (point.ok())
-        curve.seated.assign(curve.states.size(), point.state.separation.value);
+        curve.separation_at_seating.assign(curve.states.size(), point.state.separation.value);
     else
-        curve.not_seated = point.reason;
+        curve.no_separation_at_seating = point.reason;
 }
 
-FSTIFF_INLINE std::vector<MadeContact> contacts_of(const Problem& problem, const std::vector<const Law*>& laws,
+FSTIFF_INLINE std::vector<MadeContact> contacts_of(const ResolvedJoint& problem, const std::vector<const Law*>& laws,
                                                    const ProgressHook& progress) {
     std::vector<MadeContact> contacts;
     const std::optional<double> slope = gradient(problem);
@@ -224,7 +225,7 @@ FSTIFF_INLINE std::vector<MadeContact> contacts_of(const Problem& problem, const
     return contacts;
 }
 
-FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
+FSTIFF_INLINE const Law& law_of_answer(ResolvedJoint& problem, bool at_separations) {
     if (problem.face.map && missing_points(*problem.face.map) > 0)
         problem.face.write([](Face& face) { face.spectrum_of_map = false; });
     AnswerQuestion<double> question{.known = known_as(problem)};
@@ -236,7 +237,7 @@ FSTIFF_INLINE const Law& law_of_answer(Problem& problem, bool at_separations) {
         ->row();
 }
 
-FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, const ProgressHook& progress,
+FSTIFF_INLINE Curves curves_of(const ResolvedJoint& problem, const Request& request, const ProgressHook& progress,
                                const std::vector<MadeContact>* contacts) {
     Curves result;
     if (request.laws.empty()) {
@@ -248,7 +249,7 @@ FSTIFF_INLINE Curves curves_of(const Problem& problem, const Request& request, c
     return result;
 }
 
-FSTIFF_INLINE std::string reason_of(const Problem& problem, const MissedPoint& missed, double pressure,
+FSTIFF_INLINE std::string reason_of(const ResolvedJoint& problem, const MissedPoint& missed, double pressure,
                                     std::string (*text)(double pressure)) {
     std::string unit;
     for (const Check<double>& check : unlikely_units(problem, {})) unit += "; " + sentence_of_unit(check);

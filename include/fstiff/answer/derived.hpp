@@ -26,11 +26,11 @@ enum class BandEnd { low, value, high };
     return quantity == Derived::reflection || quantity == Derived::shear_reflection;
 }
 /// Whether \p problem has what \p quantity needs in addition to K.
-[[nodiscard]] bool can_derive(Derived quantity, const Problem& problem);
+[[nodiscard]] bool can_derive(Derived quantity, const ResolvedJoint& problem);
 /// \p quantity at the state \p i of \p curve with the K of \p state, which differs at an end of the band. The loss of
 /// yielded spots has two limits, the ends; its value is their mean in logarithms.
-[[nodiscard]] Estimate<double> derived(Derived quantity, const Problem& problem, const LawCurve& curve, std::size_t i,
-                                       const ContactState<double>& state, BandEnd end);
+[[nodiscard]] Estimate<double> derived(Derived quantity, const ResolvedJoint& problem, const LawCurve& curve,
+                                       std::size_t i, const ContactState<double>& state, BandEnd end);
 /// Conductance of the gap at \p separation [m], with the radiation [W/(m^2 K)].
 [[nodiscard]] double conductance_of_gap(const Conduction& conduction, double separation);
 

@@ -13,7 +13,8 @@
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Conductance of heat or current through the spots of \p s and their film.
-FSTIFF_INLINE Estimate<double> conductance_of_spots(bool heat, const Problem& problem, const ContactState<double>& s) {
+FSTIFF_INLINE Estimate<double> conductance_of_spots(bool heat, const ResolvedJoint& problem,
+                                                    const ContactState<double>& s) {
     const Conduction& conduction = problem.conduction;
     const double h = spot_conductance(s.stiffness.value, heat ? *conduction.thermal : *conduction.electrical,
                                       problem.effective_modulus);
@@ -22,17 +23,17 @@ FSTIFF_INLINE Estimate<double> conductance_of_spots(bool heat, const Problem& pr
     return {film, s.stiffness.value > 0 ? film * (s.stiffness.error / s.stiffness.value) : 0};
 }
 
-FSTIFF_INLINE double loss_of(const Problem& problem, const LawCurve& curve, std::size_t i, double tangential_stiffness,
-                             BandEnd end) {
+FSTIFF_INLINE double loss_of(const ResolvedJoint& problem, const LawCurve& curve, std::size_t i,
+                             double tangential_stiffness, BandEnd end) {
     const double x = tangential_stiffness * *problem.friction->amplitude /
                      (problem.friction->coefficient * curve.states[i].pressure.value);
-    const double elastic = detail::loss_factor(PowerUnloading<double>{curve.growth[i]}, x);
+    const double elastic = detail::loss_factor(PowerUnloading<double>{curve.log_slopes[i]}, x);
     if (!flows(problem, *curve.law) || end == BandEnd::high) return elastic;
     const double flowed = detail::loss_factor(FlowedUnloading<double>{}, x);
     return end == BandEnd::low ? flowed : std::sqrt(flowed) * std::sqrt(elastic);
 }
 
-FSTIFF_INLINE bool can_derive(Derived quantity, const Problem& problem) {
+FSTIFF_INLINE bool can_derive(Derived quantity, const ResolvedJoint& problem) {
     const bool elastic = problem.upper.youngs_modulus > 0;
     switch (quantity) {
         case Derived::tangential_stiffness: return elastic;
@@ -45,8 +46,8 @@ FSTIFF_INLINE bool can_derive(Derived quantity, const Problem& problem) {
     return false;
 }
 
-FSTIFF_INLINE Estimate<double> derived(Derived quantity, const Problem& problem, const LawCurve& curve, std::size_t i,
-                                       const ContactState<double>& s, BandEnd end) {
+FSTIFF_INLINE Estimate<double> derived(Derived quantity, const ResolvedJoint& problem, const LawCurve& curve,
+                                       std::size_t i, const ContactState<double>& s, BandEnd end) {
     const double ratio =
         problem.upper.youngs_modulus > 0 ? tangential_ratio(problem.upper, problem.lower) : 0;  // where it is known
     const auto reflected = [&](const Impedances<double>& media, double factor, double film) {

@@ -30,17 +30,17 @@ enum class Lack {
 /// Why \p face has no spectrum for Persson's theory.
 [[nodiscard]] Lack lack_of_spectrum(const Face& face);
 /// Why \p law cannot be computed of \p problem.
-[[nodiscard]] Lack lack_of(const Law& law, const Problem& problem, bool at_separations = false);
+[[nodiscard]] Lack lack_of(const Law& law, const ResolvedJoint& problem, bool at_separations = false);
 
 /// \p lack as the reason of a law.
 [[nodiscard]] std::string reason_of(Lack lack);
 /// \throws domain_error where \p law cannot be computed of \p problem.
-void require_possible(const Law& law, const Problem& problem);
+void require_possible(const Law& law, const ResolvedJoint& problem);
 /// The row of \p law. \throws as require_possible, and where \p law is none.
-[[nodiscard]] const Law& possible_law(const ChosenLaw& law, const Problem& problem);
+[[nodiscard]] const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem);
 
 /// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where none are
 /// given, those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.
-[[nodiscard]] std::vector<Peaks> peaks_of(const Law& law, const Problem& problem);
+[[nodiscard]] std::vector<Peaks> peaks_of(const Law& law, const ResolvedJoint& problem);
 
 }}}  // namespace fstiff::detail

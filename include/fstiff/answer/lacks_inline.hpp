@@ -25,7 +25,7 @@ FSTIFF_INLINE Lack lack_of_spectrum(const Face& face) {
     return alpha > 1.5 ? Lack::nothing : Lack::alpha;
 }
 
-FSTIFF_INLINE Lack lack_of(const Law& law, const Problem& problem, bool at_separations) {
+FSTIFF_INLINE Lack lack_of(const Law& law, const ResolvedJoint& problem, bool at_separations) {
     const Face& face = problem.face;
     if (at_separations && !detail::has(law.quantities, Quantity::separation)) return Lack::separation;
     if (law.needs_radius() && !face.has_radius_and_density()) return Lack::peaks;
@@ -62,19 +62,19 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
     return "";
 }
 
-FSTIFF_INLINE void require_possible(const Law& law, const Problem& problem) {
+FSTIFF_INLINE void require_possible(const Law& law, const ResolvedJoint& problem) {
     const std::string name = "law " + std::string(law.name) + ": ";
     if (law.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
     if (const Lack lack = lack_of(law, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
 }
 
-FSTIFF_INLINE const Law& possible_law(const ChosenLaw& law, const Problem& problem) {
+FSTIFF_INLINE const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem) {
     if (!law.row) throw domain_error("law: must be one of " + choices_text<LawName>());
     require_possible(law.row(), problem);
     return law.row();
 }
 
-FSTIFF_INLINE std::vector<Peaks> peaks_of(const Law& law, const Problem& problem) {
+FSTIFF_INLINE std::vector<Peaks> peaks_of(const Law& law, const ResolvedJoint& problem) {
     if (!law.has_peaks) return {};
     if (!problem.default_peaks || law.needs_dimension || !has_isotropic_peaks(problem.face)) return problem.peaks;
     const auto peaks = PeakDistribution<double>::isotropic(spectral_moments(problem.face).bandwidth());

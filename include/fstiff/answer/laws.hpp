@@ -85,7 +85,7 @@ struct LawOptions {
 struct ContactInputs;
 struct Face;
 struct LawCurve;
-struct Problem;
+struct ResolvedJoint;
 struct Request;
 struct Solved;
 
@@ -97,13 +97,13 @@ public:
     std::vector<Summits<double>> summits;                        ///< one for each map
     std::shared_ptr<const SpectraOfMaps> spectra;  ///< none where points are missing, or fewer than 4 a side
     double mean_square_height = 0;                 ///< of the maps, that of two faces the sum of both [m^2]
-    double taller = 1;                             ///< heights over those of the maps, where a surface was drawn
+    double height_factor = 1;                      ///< heights over those of the maps, where a surface was drawn
 
     virtual ~MapOfSurface() = default;
-    [[nodiscard]] double rms_height() const { return taller * std::sqrt(mean_square_height); }
+    [[nodiscard]] double rms_height() const { return height_factor * std::sqrt(mean_square_height); }
     /// Where there are spectra.
     [[nodiscard]] SpectrumShells<double> spectrum(Edges edges = Edges::mirrored) const {
-        return detail::scaled(spectra->shells(edges), taller);
+        return detail::scaled(spectra->shells(edges), height_factor);
     }
     /// The contact of the maps by \p law: summits, hybrid, plastic or boundary_elements.
     [[nodiscard]] virtual std::unique_ptr<AnyContact> contact(LawName law, const ContactInputs& inputs) const = 0;
@@ -120,13 +120,13 @@ public:
     [[nodiscard]] virtual std::shared_ptr<const MapOfSurface> sum(const MapOfSurface& other, int shifts,
                                                                   std::uint64_t seed) const = 0;
     /// The pieces of what the laws of \p request keep of the maps, for several threads.
-    [[nodiscard]] virtual std::vector<std::function<void()>> pieces(const Problem& problem,
+    [[nodiscard]] virtual std::vector<std::function<void()>> pieces(const ResolvedJoint& problem,
                                                                     const Request& request) const = 0;
     /// Rms height [m] of the white noise in the maps, which have spectra.
     [[nodiscard]] virtual double noise(Edges edges) const = 0;
     /// Boundary elements at each point of \p request where they count, of peaks that yield where it \p flows; \p curve
     /// has the states that its law reaches, and gets those that only they reach. \p problem has this map.
-    [[nodiscard]] virtual std::vector<Solved> solve(const Problem& problem, const Request& request, bool flows,
+    [[nodiscard]] virtual std::vector<Solved> solve(const ResolvedJoint& problem, const Request& request, bool flows,
                                                     LawCurve& curve, const ProgressHook& progress) const = 0;
 };
 

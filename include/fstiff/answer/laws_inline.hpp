@@ -4,7 +4,7 @@
 /// The functions of answer/laws.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/checks.hpp>
-#include <fstiff/answer/held_contacts.hpp>
+#include <fstiff/answer/erased_contact.hpp>
 #include <fstiff/answer/laws.hpp>
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
@@ -50,12 +50,12 @@ FSTIFF_INLINE ElasticLaw<double> hertz_law(double) { return HertzLaw<double>{}; 
 /// A contact of joint peaks with the asperity law that \p of_dimension makes of the fractal dimension.
 template <LawOfDimension of_dimension>
 std::unique_ptr<AnyContact> joint(const ContactInputs& inputs) {
-    return held(RoughContact(inputs.surface, *inputs.peaks, of_dimension(inputs.fractal_dimension),
-                             inputs.effective_modulus, options_of(inputs)));
+    return erase(RoughContact(inputs.surface, *inputs.peaks, of_dimension(inputs.fractal_dimension),
+                              inputs.effective_modulus, options_of(inputs)));
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> greenwood_williamson_contact(const ContactInputs& inputs) {
-    return held(
+    return erase(
         GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
 }
 
@@ -69,19 +69,19 @@ FSTIFF_INLINE PerssonContact<double> of_spectrum(const ContactInputs& inputs) {
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> persson_contact(const ContactInputs& inputs) {
-    return held(of_spectrum(inputs));
+    return erase(of_spectrum(inputs));
 }
 
 /// Calls \p make with hybrid from numbers, with Gaussian heights or a bearing curve.
 template <class Make>
-std::unique_ptr<AnyContact> of_hybrid_of_numbers(const ContactInputs& inputs, const Make& make) {
+std::unique_ptr<AnyContact> with_hybrid_of_band(const ContactInputs& inputs, const Make& make) {
     const BandSpectrum<double> band = band_of_moments(inputs.moments, inputs.hurst);
-    if (!inputs.bearing) return held(make(hybrid_of_band(band, inputs.effective_modulus, inputs.options.gamma)));
-    return held(make(hybrid_of_band(band, *inputs.bearing, inputs.effective_modulus, inputs.options.gamma)));
+    if (!inputs.bearing) return erase(make(hybrid_of_band(band, inputs.effective_modulus, inputs.options.gamma)));
+    return erase(make(hybrid_of_band(band, *inputs.bearing, inputs.effective_modulus, inputs.options.gamma)));
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid_of_numbers(const ContactInputs& inputs) {
-    return of_hybrid_of_numbers(inputs, [](auto&& contact) { return std::move(contact); });
+    return with_hybrid_of_band(inputs, [](auto&& contact) { return std::move(contact); });
 }
 
 /// Hybrid as the law of hybrid of a QuickContact.
@@ -121,7 +121,7 @@ struct Flowing {
 };
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
-    return of_hybrid_of_numbers(inputs, [&](auto&& contact) {
+    return with_hybrid_of_band(inputs, [&](auto&& contact) {
         return PlasticContact(std::move(contact), gaussian_cut(inputs), inputs.material.hardness_or_default());
     });
 }
@@ -141,7 +141,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_peaks_contact(const ContactInp
     if (!(material.yield_strength > 0))
         material.yield_strength = hardness / detail::hardness_over_yield_strength<double>;
     const double critical_over_radius = KogutEtsionLaw<double>(material).critical(1.0);
-    return std::make_unique<PlasticHolder<RoughContact<double, PlasticLaw<double>>>>(
+    return std::make_unique<ErasedPlasticContact<RoughContact<double, PlasticLaw<double>>>>(
         RoughContact(inputs.surface, *inputs.peaks, PlasticLaw<double>(hardness, inputs.effective_modulus),
                      inputs.effective_modulus, options_of(inputs)),
         critical_over_radius);
@@ -155,7 +155,7 @@ std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
     PlasticMaterial<double> material = inputs.material;
     material.effective_modulus = inputs.effective_modulus;
     const OfMaterial law(material);
-    return std::make_unique<PlasticHolder<RoughContact<double, OfMaterial>>>(
+    return std::make_unique<ErasedPlasticContact<RoughContact<double, OfMaterial>>>(
         RoughContact(inputs.surface, *inputs.peaks, law, inputs.effective_modulus, options), law.critical(1.0));
 }
 

@@ -5,7 +5,7 @@
 /// of MapOfSurface: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/answer_curve.hpp>
-#include <fstiff/answer/held_contacts.hpp>
+#include <fstiff/answer/erased_contact.hpp>
 #include <fstiff/answer/measured_map.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/solved_map_inline.hpp>
@@ -112,10 +112,10 @@ class MeasuredMap final : public MapOfSurface {
             std::tie(inputs.options.gamma, inputs.options.edges, inputs.effective_modulus);
         SummitContact<double> peaks(summits[shift], modulus);
         BearingContact<double> crowded = bearings->contact(first_bearing + shift, edges, modulus, gamma)
-                                             .scaled(taller)
+                                             .scaled(height_factor)
                                              .over_rms_height(rms_height());
         HandOver<double> hand_over =
-            bearings->hand_over(first_bearing + shift, edges, modulus, gamma).scaled(peaks, taller);
+            bearings->hand_over(first_bearing + shift, edges, modulus, gamma).scaled(peaks, height_factor);
         return HybridContact(std::move(peaks), std::move(crowded), std::move(hand_over));
     }
 
@@ -127,7 +127,7 @@ public:
                 return over_shifts([&](std::size_t shift) {
                     const auto cut =
                         bearings->cut(first_bearing + shift, inputs.options.edges, inputs.effective_modulus);
-                    return PlasticContact(hybrid(inputs, shift), cut.scaled(taller),
+                    return PlasticContact(hybrid(inputs, shift), cut.scaled(height_factor),
                                           inputs.material.hardness_or_default());
                 });
             case LawName::summits:
@@ -150,12 +150,12 @@ public:
         other->spectra = spectra, other->bearings = bearings;
         other->mean_square_height = mean_square_height;
         other->first_bearing = first_bearing + shift;
-        other->taller = taller * growth;
+        other->height_factor = height_factor * growth;
         return other;
     }
     [[nodiscard]] std::shared_ptr<const MapOfSurface> scaled(double factor) const override {
         auto other = std::make_shared<MeasuredMap>(*this);
-        other->taller *= factor;
+        other->height_factor *= factor;
         for (Summits<double>& trace : other->summits) {
             trace.rms_height *= factor;
             for (Summit<double>& summit : trace.summits) {
@@ -188,7 +188,7 @@ public:
         sums->bearings = std::make_shared<const BearingsOfMaps>(sums->maps, sums->summits);
         return sums;
     }
-    [[nodiscard]] std::vector<std::function<void()>> pieces(const Problem& problem,
+    [[nodiscard]] std::vector<std::function<void()>> pieces(const ResolvedJoint& problem,
                                                             const Request& request) const override {
         const LawOptions& options = problem.law_options;
         const double modulus = problem.effective_modulus, hardness = hardness_of(problem);
@@ -213,8 +213,8 @@ public:
     [[nodiscard]] double noise(Edges edges) const override {
         return detail::white_noise(spectra->shells(edges), maps.front()->dx, maps.front()->dy);
     }
-    [[nodiscard]] std::vector<Solved> solve(const Problem& problem, const Request& request, bool flows, LawCurve& curve,
-                                            const ProgressHook& progress) const override {
+    [[nodiscard]] std::vector<Solved> solve(const ResolvedJoint& problem, const Request& request, bool flows,
+                                            LawCurve& curve, const ProgressHook& progress) const override {
         return boundary_elements_of(problem, request, flows, curve, progress);
     }
 

@@ -22,7 +22,7 @@ struct Request {
     Quantity quantities = Quantity::all;  ///< of the laws that are named
     std::vector<std::size_t> answered{};  ///< places among `points` at which the answer is solved
     bool approach = false;                ///< the separation at `seating` too
-    bool growth = false;                  ///< d log K/d log p too
+    bool log_slopes = false;              ///< d log K/d log p too
     double seating = 1e3;                 ///< the approach is 0 at this pressure [Pa]
     int samples = 400;                    ///< of a band; 0: none
     std::uint64_t seed = 2014;
@@ -39,7 +39,7 @@ struct ContactOfLaw {
     std::function<std::unique_ptr<AnyContact>()> make;
 };
 /// Calls \p visit with every law of \p laws and distribution of peaks; `make` lives as long as that call.
-void for_each_contact(const Problem& problem, const std::vector<const Law*>& laws, const ProgressHook& progress,
+void for_each_contact(const ResolvedJoint& problem, const std::vector<const Law*>& laws, const ProgressHook& progress,
                       const std::function<void(const ContactOfLaw&)>& visit);
 /// Points above which states and bands are interpolated: states within 1e-7, from a table over ln p where it has them,
 /// ends of bands within 1e-3, except next to a hardness.

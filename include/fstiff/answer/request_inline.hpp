@@ -12,7 +12,7 @@
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-FSTIFF_INLINE void for_each_contact(const Problem& problem, const std::vector<const Law*>& laws,
+FSTIFF_INLINE void for_each_contact(const ResolvedJoint& problem, const std::vector<const Law*>& laws,
                                     const ProgressHook& progress,
                                     const std::function<void(const ContactOfLaw&)>& visit) {
     const Face& face = problem.face;

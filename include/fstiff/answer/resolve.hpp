@@ -28,8 +28,8 @@ inline constexpr FaceParameter face_parameters[]{
 [[nodiscard]] Face face_of(const JointFace& spec);
 /// \p joint resolved. Two maps have the shifts that a scene has: those of the seed of Request, whatever the draws have.
 /// \throws domain_error naming the member that is out of range.
-[[nodiscard]] Problem problem_of(const Joint& joint, const LawOptions& options);
+[[nodiscard]] ResolvedJoint problem_of(const Joint& joint, const LawOptions& options);
 /// The joint peaks that were measured or given of the surface; where none are, those of the paper.
-void take_peaks(Problem& problem);
+void take_peaks(ResolvedJoint& problem);
 
 }}}  // namespace fstiff::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A joint as it is given becomes a Problem: what is written counts before what was measured, and that before a prior.
+/// A joint as it is given becomes a ResolvedJoint: what is written counts before what was measured, and that before a prior.
 /// Functions of answer/resolve.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/face.hpp>
@@ -220,7 +220,7 @@ FSTIFF_INLINE Face face_of(const JointFace& spec) {
     return face;
 }
 
-FSTIFF_INLINE void take_peaks(Problem& problem) {
+FSTIFF_INLINE void take_peaks(ResolvedJoint& problem) {
     if (problem.face.has_peaks()) {
         problem.peaks = {{*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, ""}};
         return;
@@ -275,7 +275,7 @@ FSTIFF_INLINE void require_body(const Body& body, bool elastic) {
                 range->middle, "between its ends, which are above 0");
 }
 
-FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) {
+FSTIFF_INLINE ResolvedJoint problem_of(const Joint& joint, const LawOptions& options) {
     of_part("upper", [&] { require_body(joint.upper, !joint.effective_modulus); });
     of_part("lower", [&] { require_body(joint.lower, !joint.effective_modulus); });
     require_between("nominal_area", joint.nominal_area, 0);
@@ -285,7 +285,7 @@ FSTIFF_INLINE Problem problem_of(const Joint& joint, const LawOptions& options) 
     require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
     joint.interaction.validate();
     require_surroundings(joint);
-    Problem problem;
+    ResolvedJoint problem;
     problem.face = face_of(joint.face);
     if (joint.other) {
         problem.faces = {problem.face, of_part("other", [&] { return face_of(*joint.other); })};

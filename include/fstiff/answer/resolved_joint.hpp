@@ -31,7 +31,7 @@ struct Peaks {
 enum class InteractionLength { nominal, peak_spacing, given };
 
 /// A joint, resolved. A surface drawn at random, a neighbour and an unknown at its end are the same with another face.
-struct Problem {
+struct ResolvedJoint {
     Face face;                          ///< that a smooth one meets: the rough one, or the sum of two
     std::vector<Face> faces;            ///< that the sum is of, the upper one first; empty where one face is smooth
     double effective_modulus = 0;       ///< [Pa]
@@ -56,27 +56,27 @@ struct Problem {
 /// Takes the elastic constants, the hardness and the yield strength of both bodies; where \p modulus [Pa] is in place
 /// of the elastic constants, the rest is that of \p upper.
 /// \throws domain_error for a modulus or a Poisson's ratio out of range.
-void take_bodies(const Body& upper, const Body& lower, const std::optional<double>& modulus, Problem& problem);
+void take_bodies(const Body& upper, const Body& lower, const std::optional<double>& modulus, ResolvedJoint& problem);
 /// The faces that were pressed together, and those of them that were measured.
-[[nodiscard]] std::vector<const Face*> rough_faces(const Problem& problem);
-[[nodiscard]] std::vector<const Face*> measured_faces(const Problem& problem);
+[[nodiscard]] std::vector<const Face*> rough_faces(const ResolvedJoint& problem);
+[[nodiscard]] std::vector<const Face*> measured_faces(const ResolvedJoint& problem);
 /// Whether all that was measured of \p problem are traces.
-[[nodiscard]] bool is_of_traces(const Problem& problem);
+[[nodiscard]] bool is_of_traces(const ResolvedJoint& problem);
 /// Whether some face was measured by a profile that repeats itself.
-[[nodiscard]] bool has_lay(const Problem& problem);
+[[nodiscard]] bool has_lay(const ResolvedJoint& problem);
 
 /// The rms gradient of the surface for p*, the same for every law: known or assumed; of the surface's own r and theta;
 /// of R and D_p, by their spectrum or as islands; else of the last entry of `peaks` that gives one (r = 0 gives none).
-[[nodiscard]] std::optional<double> gradient(const Problem& problem);
+[[nodiscard]] std::optional<double> gradient(const ResolvedJoint& problem);
 /// The interaction with its length [m].
-[[nodiscard]] Interaction<double> interaction(const Problem& problem);
+[[nodiscard]] Interaction<double> interaction(const ResolvedJoint& problem);
 /// The indentation hardness of the softer body [Pa], of its yield strength where that alone is known, or assumed;
 /// infinite: it never yields.
-[[nodiscard]] double hardness_of(const Problem& problem);
+[[nodiscard]] double hardness_of(const ResolvedJoint& problem);
 /// H/(E g), of the softer body and the surface; none where the gradient is not known, and of a body that never yields.
-[[nodiscard]] std::optional<double> relative_hardness(const Problem& problem);
+[[nodiscard]] std::optional<double> relative_hardness(const ResolvedJoint& problem);
 /// Whether K of \p law is that of yielded spots.
-[[nodiscard]] bool flows(const Problem& problem, const Law& law);
+[[nodiscard]] bool flows(const ResolvedJoint& problem, const Law& law);
 
 }}}  // namespace fstiff::detail
 

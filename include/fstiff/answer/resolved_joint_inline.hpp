@@ -23,33 +23,33 @@ FSTIFF_INLINE PeakDistribution<double> peak_density(const Peaks& peaks) {
     }
 }
 
-FSTIFF_INLINE std::vector<const Face*> rough_faces(const Problem& problem) {
+FSTIFF_INLINE std::vector<const Face*> rough_faces(const ResolvedJoint& problem) {
     if (problem.faces.empty()) return {&problem.face};
     return {&problem.faces[0], &problem.faces[1]};
 }
 
-FSTIFF_INLINE std::vector<const Face*> measured_faces(const Problem& problem) {
+FSTIFF_INLINE std::vector<const Face*> measured_faces(const ResolvedJoint& problem) {
     std::vector<const Face*> faces = rough_faces(problem);
     std::erase_if(faces, [](const Face* face) { return !face->measured; });
     return faces;
 }
 
-FSTIFF_INLINE bool is_of_traces(const Problem& problem) {
+FSTIFF_INLINE bool is_of_traces(const ResolvedJoint& problem) {
     const std::vector<const Face*> faces = measured_faces(problem);
     return !faces.empty() &&
            std::all_of(faces.begin(), faces.end(), [](const Face* face) { return face->measured->is_profile; });
 }
 
-FSTIFF_INLINE bool has_lay(const Problem& problem) {
+FSTIFF_INLINE bool has_lay(const ResolvedJoint& problem) {
     const std::vector<const Face*> measured = measured_faces(problem);
     return std::any_of(measured.begin(), measured.end(),
                        [](const Face* face) { return detail::is_profile_with_lay(*face->measured); });
 }
 
-FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
+FSTIFF_INLINE std::optional<double> gradient(const ResolvedJoint& problem) {
     const Face& face = problem.face;
     if (face.map && face.spectrum_of_map && face.map->spectra)
-        return face.map->taller * face.map->spectra->shells(problem.law_options.edges).rms_gradient();
+        return face.map->height_factor * face.map->spectra->shells(problem.law_options.edges).rms_gradient();
     if (face.has_own_gradient()) return face.rms_gradient;
     if (face.has_peaks())
         if (const auto of_own = detail::rms_gradient(
@@ -63,7 +63,7 @@ FSTIFF_INLINE std::optional<double> gradient(const Problem& problem) {
     return of_peaks;
 }
 
-FSTIFF_INLINE Interaction<double> interaction(const Problem& problem) {
+FSTIFF_INLINE Interaction<double> interaction(const ResolvedJoint& problem) {
     Interaction<double> result;
     result.reading = problem.reading;
     if (result.reading != InteractionReading::none)
@@ -90,7 +90,7 @@ FSTIFF_INLINE PriorRange softer_hardness(const Body& upper, const Body& lower) {
 }
 
 /// The hardness of the joint, \p range, whose softer body is \p softer.
-FSTIFF_INLINE void take_hardness(const Body& softer, const PriorRange& range, Problem& problem) {
+FSTIFF_INLINE void take_hardness(const Body& softer, const PriorRange& range, ResolvedJoint& problem) {
     problem.hardness = softer.hardness, problem.hardness_range.reset();
     if (range.low < range.high)
         problem.hardness.reset(), problem.hardness_range = range;
@@ -99,7 +99,7 @@ FSTIFF_INLINE void take_hardness(const Body& softer, const PriorRange& range, Pr
 }
 
 FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::optional<double>& modulus,
-                               Problem& problem) {
+                               ResolvedJoint& problem) {
     if (modulus) {
         Body of_contact = upper;  // two bodies of one metal
         of_contact.elastic = {2 * (1 - 0.3 * 0.3) * *modulus, 0.3};
@@ -119,25 +119,25 @@ FSTIFF_INLINE void take_bodies(const Body& upper, const Body& lower, const std::
                 (std::min)(problem.yield_strength.value_or(*body->yield_strength), *body->yield_strength);
 }
 
-FSTIFF_INLINE double hardness_of(const Problem& problem) {
+FSTIFF_INLINE double hardness_of(const ResolvedJoint& problem) {
     if (problem.hardness_range) return problem.hardness_range->middle;
     return problem.hardness.value_or(detail::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
 }
 
 /// As the laws take it: 0 where it follows from the yield strength, infinite nowhere.
-FSTIFF_INLINE double hardness_of_material(const Problem& problem) {
+FSTIFF_INLINE double hardness_of_material(const ResolvedJoint& problem) {
     const double hardness = problem.hardness_range ? problem.hardness_range->middle : problem.hardness.value_or(0);
     return std::isfinite(hardness) ? hardness : 0;
 }
 
-FSTIFF_INLINE std::optional<double> relative_hardness(const Problem& problem) {
+FSTIFF_INLINE std::optional<double> relative_hardness(const ResolvedJoint& problem) {
     const std::optional<double> g = gradient(problem);
     if (!g) return std::nullopt;
     const double relative = hardness_of(problem) / (problem.effective_modulus * *g);
     return relative > 0 && std::isfinite(relative) ? std::optional(relative) : std::nullopt;
 }
 
-FSTIFF_INLINE bool flows(const Problem& problem, const Law& law) {
+FSTIFF_INLINE bool flows(const ResolvedJoint& problem, const Law& law) {
     return law.needs_hardness || law.needs_yield || (law.needs_whole_map && problem.law_options.hardness > 0);
 }
 

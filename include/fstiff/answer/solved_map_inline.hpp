@@ -39,7 +39,7 @@ struct ElementPoint {
 
 /// The points of \p request at which boundary elements of the map count, in the order of their pressures: where more
 /// than a few points of the grid touch, and at pressures beyond the states of \p base.
-FSTIFF_INLINE std::vector<ElementPoint> element_points(const Problem& problem, const Request& request,
+FSTIFF_INLINE std::vector<ElementPoint> element_points(const ResolvedJoint& problem, const Request& request,
                                                        const LawCurve& base, double hardness) {
     std::vector<ElementPoint> points;
     if (!request.solves_map || !is_map(problem.face) ||
@@ -94,7 +94,9 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
                       loading = log_through(&State::loading_stiffness),
                       error = through([](const State&state) { return state.stiffness.error / state.stiffness.value; }),
                       gap = through([](const State&state) { return state.separation.value; });
-    LawCurve curve{.law = solved.law, .missed = std::move(solved.missed), .seated = std::move(solved.seated)};
+    LawCurve curve{.law = solved.law,
+                   .missed = std::move(solved.missed),
+                   .separation_at_seating = std::move(solved.separation_at_seating)};
     for (const ElementPoint& point : points) {
         const double x = point.log_pressure;
         if (x < nodes.front().log_pressure || x > nodes.back().log_pressure) continue;
@@ -107,14 +109,15 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
         state.loading_stiffness.value = (std::min)(std::exp(loading.at(x)), state.stiffness.value);
         curve.places.push_back(point.place);
     }
-    if (!curve.seated.empty()) curve.seated.resize(curve.states.size(), curve.seated.front());
+    if (!curve.separation_at_seating.empty())
+        curve.separation_at_seating.resize(curve.states.size(), curve.separation_at_seating.front());
     solved = std::move(curve);
 }
 
 /// K of boundary elements at \p points of \p request, in the order of their pressures; `missed` has those that the
 /// solver does not reach.
-FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, const std::vector<ElementPoint>& points,
-                              double hardness, const ProgressHook& progress) {
+FSTIFF_INLINE LawCurve solved(const ResolvedJoint& problem, const Request& request,
+                              const std::vector<ElementPoint>& points, double hardness, const ProgressHook& progress) {
     const Law& law = laws::boundary_elements.row();
     LawCurve curve{.law = &law};
     if (points.empty()) return curve;
@@ -122,7 +125,7 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
     const bool complete = nodes.size() == points.size();
     Request sparse{.at_separations = request.at_separations, .seating = request.seating, .parallel = request.parallel};
     for (const ElementPoint& node : nodes) sparse.points.push_back(request.points[node.place]);
-    Problem flowing = problem;
+    ResolvedJoint flowing = problem;
     flowing.law_options.hardness = hardness;
     std::vector<ElementPoint> reached;
     for_each_contact(flowing, {&law}, {}, [&](const ContactOfLaw& recipe) {
@@ -137,7 +140,7 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
                 reached.push_back(nodes[i]);
             }
         }
-        if (request.approach) seat(sparse, *contact, curve);
+        if (request.approach) add_seating(sparse, *contact, curve);
     });
     if (!complete && reached.size() > 1) interpolate(reached, points, curve);
     return curve;
@@ -145,8 +148,9 @@ FSTIFF_INLINE LawCurve solved(const Problem& problem, const Request& request, co
 
 /// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others
 /// lie on lines over ln p.
-FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMap<double>& map, const LawCurve& solved,
-                                          double hardness, const ParallelHook& parallel, const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<double> changes(const ResolvedJoint& problem, const HeightMap<double>& map,
+                                          const LawCurve& solved, double hardness, const ParallelHook& parallel,
+                                          const ProgressHook& progress) {
     const std::size_t count = solved.states.size(),
                       most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
     std::vector<double> pressures;
@@ -181,8 +185,9 @@ FSTIFF_INLINE std::vector<double> changes(const Problem& problem, const HeightMa
 
 /// Change of ln K at each state of \p solved once the noise of the map is gone: that of the lambda_s of the tables, as
 /// far as the gradient which this takes away is noise.
-FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const LawCurve& solved, double hardness,
-                                                const ParallelHook& parallel, const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<double> spread_without_noise(const ResolvedJoint& problem, const LawCurve& solved,
+                                                       double hardness, const ParallelHook& parallel,
+                                                       const ProgressHook& progress) {
     const Face& face = problem.face;
     const Edges edges = problem.law_options.edges;
     const double noise = solved.states.empty() ? 0 : noise_of(face, edges);
@@ -202,9 +207,9 @@ FSTIFF_INLINE std::vector<double> without_noise(const Problem& problem, const La
 /// Changes of K of \p solved that the filter of a lambda_s that was given, and the removed plane may have caused: the
 /// filter by the neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be
 /// the surface's own.
-FSTIFF_INLINE std::vector<CauseSpread<double>> of_cut_offs(const Problem& problem, const LawCurve& solved,
-                                                           double hardness, const ParallelHook& parallel,
-                                                           const ProgressHook& progress) {
+FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const ResolvedJoint& problem, const LawCurve& solved,
+                                                                  double hardness, const ParallelHook& parallel,
+                                                                  const ProgressHook& progress) {
     std::vector<CauseSpread<double>> causes(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
         const std::vector<double> of_map = changes(problem, map, solved, hardness, parallel, progress);
@@ -247,8 +252,9 @@ FSTIFF_INLINE void reach_further(const std::vector<Solved>& of_place, LawCurve& 
         const double K = solved.state.stiffness.value;
         insert(curve.band, SampledBand<double>{K, K, K}, !curve.band.empty());
         insert(curve.band_parts, BandParts<double>{}, !curve.band_parts.empty());
-        insert(curve.growth, 0.0, !curve.growth.empty());
-        insert(curve.seated, solved.seated.value_or(0), solved.seated && curve.seated.size() == curve.states.size());
+        insert(curve.log_slopes, 0.0, !curve.log_slopes.empty());
+        insert(curve.separation_at_seating, solved.separation_at_seating.value_or(0),
+               solved.separation_at_seating && curve.separation_at_seating.size() == curve.states.size());
         insert(curve.states, solved.state, true);
         insert(curve.places, miss.place, true);
     }
@@ -257,13 +263,13 @@ FSTIFF_INLINE void reach_further(const std::vector<Solved>& of_place, LawCurve& 
 
 /// Boundary elements at each point of \p request where they count, of peaks that yield where it \p flows; \p curve has
 /// the states that its law reaches, and gets those that only they reach.
-FSTIFF_INLINE std::vector<Solved> boundary_elements_of(const Problem& problem, const Request& request, bool flows,
+FSTIFF_INLINE std::vector<Solved> boundary_elements_of(const ResolvedJoint& problem, const Request& request, bool flows,
                                                        LawCurve& curve, const ProgressHook& progress) {
     const double hardness = flows ? hardness_of(problem) : 0;
     const std::vector<ElementPoint> points = element_points(problem, request, curve, hardness);
     const LawCurve elements = solved(problem, request, points, hardness, progress);
-    const auto cut_offs = of_cut_offs(problem, elements, hardness, request.parallel, progress);
-    const auto quiet = without_noise(problem, elements, hardness, request.parallel, progress);
+    const auto cut_offs = spread_of_cut_offs(problem, elements, hardness, request.parallel, progress);
+    const auto quiet = spread_without_noise(problem, elements, hardness, request.parallel, progress);
     std::vector<Solved> solved(request.points.size());
     for (const ElementPoint& point : points) solved[point.place].weight = point.weight;
     std::vector<char> known(solved.size(), 0);
@@ -271,7 +277,7 @@ FSTIFF_INLINE std::vector<Solved> boundary_elements_of(const Problem& problem, c
         Solved& entry = solved[elements.places[k]];
         known[elements.places[k]] = 1;
         entry.state = elements.states[k], entry.cut_offs = cut_offs[k], entry.noise = quiet[k];
-        if (!elements.seated.empty()) entry.seated = elements.seated[k];
+        if (!elements.separation_at_seating.empty()) entry.separation_at_seating = elements.separation_at_seating[k];
     }
     for (std::size_t i = 0; i < solved.size(); ++i) solved[i].weight *= known[i];
     for (MissedPoint& missed : curve.missed)

@@ -23,24 +23,25 @@ void fill_unknown(Face& face, bool shape_known);
 [[nodiscard]] Face with_measured(Face face, Unknown unknown);
 
 /// A number of a face that is not known.
-struct FeltPrior {
+struct RelevantPrior {
     std::size_t face;  ///< its place among rough_faces()
     const Prior* prior;
 };
 /// Those that one of \p laws depends on; none where the laws take the spectrum of a map.
-[[nodiscard]] std::vector<FeltPrior> felt_priors(const Problem& problem, const std::vector<const Law*>& laws);
+[[nodiscard]] std::vector<RelevantPrior> relevant_priors(const ResolvedJoint& problem,
+                                                         const std::vector<const Law*>& laws);
 
 /// Whether one of \p laws depends on the hardness.
-[[nodiscard]] bool feels_hardness(const Problem& problem, const std::vector<const Law*>& laws);
+[[nodiscard]] bool depends_on_hardness(const ResolvedJoint& problem, const std::vector<const Law*>& laws);
 /// \p problem whose hardness is known to be \p value.
-[[nodiscard]] Problem with_hardness(Problem problem, double value);
+[[nodiscard]] ResolvedJoint with_hardness(ResolvedJoint problem, double value);
 
 /// The surface of a joint with one unknown at its 5 and at its 95 %.
 struct Alternative {
     Unknown which{};
     Face low, high;
 };
-/// One of each of felt_priors().
-[[nodiscard]] std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws);
+/// One of each of relevant_priors().
+[[nodiscard]] std::vector<Alternative> alternatives(const ResolvedJoint& problem, const std::vector<const Law*>& laws);
 
 }}}  // namespace fstiff::detail

@@ -115,35 +115,36 @@ FSTIFF_INLINE Face with_measured(Face face, Unknown unknown) {
 }
 
 /// Whether one of \p laws depends on \p unknown of \p face, which is not known.
-FSTIFF_INLINE bool is_felt(const Problem& problem, const std::vector<const Law*>& laws, const Face& face,
-                           Unknown unknown) {
+FSTIFF_INLINE bool depends_on(const ResolvedJoint& problem, const std::vector<const Law*>& laws, const Face& face,
+                              Unknown unknown) {
     if (unknown == Unknown::height) return true;
     if (std::any_of(laws.begin(), laws.end(), [](const Law* law) { return law->needs_spectrum; })) return true;
     return !detail::is_of_shape(unknown) && unknown != Unknown::hurst &&
            (face.radius_follows || face.density_follows || (problem.default_peaks && has_isotropic_peaks(face)));
 }
 
-FSTIFF_INLINE bool feels_hardness(const Problem& problem, const std::vector<const Law*>& laws) {
+FSTIFF_INLINE bool depends_on_hardness(const ResolvedJoint& problem, const std::vector<const Law*>& laws) {
     return std::any_of(laws.begin(), laws.end(), [&](const Law* law) { return flows(problem, *law); });
 }
-FSTIFF_INLINE Problem with_hardness(Problem problem, double value) {
+FSTIFF_INLINE ResolvedJoint with_hardness(ResolvedJoint problem, double value) {
     problem.hardness = value, problem.hardness_range.reset();
     return problem;
 }
 
-FSTIFF_INLINE std::vector<FeltPrior> felt_priors(const Problem& problem, const std::vector<const Law*>& laws) {
-    std::vector<FeltPrior> priors;
+FSTIFF_INLINE std::vector<RelevantPrior> relevant_priors(const ResolvedJoint& problem,
+                                                         const std::vector<const Law*>& laws) {
+    std::vector<RelevantPrior> priors;
     if (problem.face.map && problem.face.spectrum_of_map) return priors;
     const std::vector<const Face*> faces = rough_faces(problem);
     for (std::size_t i = 0; i < faces.size(); ++i)
         for (const Prior& prior : faces[i]->priors)
-            if (is_felt(problem, laws, *faces[i], prior.which)) priors.push_back({i, &prior});
+            if (depends_on(problem, laws, *faces[i], prior.which)) priors.push_back({i, &prior});
     return priors;
 }
 
-FSTIFF_INLINE std::vector<Alternative> alternatives(const Problem& problem, const std::vector<const Law*>& laws) {
+FSTIFF_INLINE std::vector<Alternative> alternatives(const ResolvedJoint& problem, const std::vector<const Law*>& laws) {
     std::vector<Alternative> alternatives;
-    for (const auto& [place, prior] : felt_priors(problem, laws)) {
+    for (const auto& [place, prior] : relevant_priors(problem, laws)) {
         const auto variant = [&, i = place, which = prior->which](double value) {
             const Face changed = with_value(*rough_faces(problem)[i], which, value);
             if (problem.faces.empty()) return changed;

@@ -18,7 +18,7 @@
 #include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/contact/slope_contact.hpp>
-#include <fstiff/halfspace/held_contact.hpp>
+#include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_curve.hpp>

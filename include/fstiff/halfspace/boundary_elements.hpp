@@ -18,7 +18,7 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
-#include <fstiff/halfspace/held_contact.hpp>
+#include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
 #include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -378,8 +378,8 @@ void BoundaryElements<T>::project(Field& p, T nominal, T hard) {
 template <Real T>
 typename BoundaryElements<T>::Solution BoundaryElements<T>::held(T most) const {
     const Field start = (p_ < most).select(p_, T(0)), mask = (start > T(0)).template cast<T>();
-    const detail::HeldContact<T> contact =
-        detail::held_together(compliance_, inverse_, mask, start, held_tolerance, options_.max_iterations);
+    const detail::BondedContact<T> contact =
+        detail::bonded(compliance_, inverse_, mask, start, held_tolerance, options_.max_iterations);
     return {contact.compliance, contact.residual, contact.iterations};
 }
 

@@ -85,7 +85,7 @@ template <Real T>
     std::vector<MeasuredConcern> concerns;
     if (fit.curved) concerns.push_back(MeasuredConcern::curved);
     if (fit.automatic_window && fit.flattest_lag > T(0) && fit.flattest_slope < T(0.2) &&
-        (fit.behind_plateau || fit.min_slope > fit.flattest_slope + T(0.5)))
+        (fit.after_plateau || fit.min_slope > fit.flattest_slope + T(0.5)))
         concerns.push_back(MeasuredConcern::saturated);
     if (fit.log_roughness_error > std::numbers::ln10_v<T>) concerns.push_back(MeasuredConcern::roughness_uncertain);
     return concerns;

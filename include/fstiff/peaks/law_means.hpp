@@ -123,7 +123,8 @@ public:
     LawSums<T> operator()(T eta) const {
         const T c2 = (1 - peaks_.r()) * (1 + peaks_.r()), r = peaks_.r();
         // an area has whole powers where load and stiffness have half ones
-        constexpr Axis axis = detail::axis_of<Law>(), area_axis = axis == Axis::even ? Axis::graded : axis;
+        constexpr NodeClustering axis = detail::axis_of<Law>(),
+                                 area_axis = axis == NodeClustering::even ? NodeClustering::graded : axis;
         LawSums<T> out = means_of_law(
             law_, scales_, mask_,
             [&](const auto& f) {
@@ -149,7 +150,7 @@ public:
 private:
     static T tolerance_for(T tolerance) { return (std::max)(tolerance, TensorOptions<T>{}.relative_tolerance); }
 
-    template <Axis axis, class F>
+    template <NodeClustering axis, class F>
     Estimate<T> mean(T eta, const F& f) const {
         const ScaledLaw<T, Law, F> scaled{law_, scales_.rms_height, scales_.curvature, f};
         const PeakFunctionOf<T, ScaledLaw<T, Law, F>> function(scaled);

@@ -25,7 +25,7 @@
 namespace fstiff { inline namespace v0_1 {
 
 /// Approach of the nodes to t = 0 and excess = 0.
-enum class Axis {
+enum class NodeClustering {
     even,    ///< squares in both directions, for half-integer powers of the excess and of t
     graded,  ///< for any smooth f; a KinkedLaw is split at its kinks
     rough    ///< for kinks at unknown places: as graded, with an error sum for algebraic convergence
@@ -73,11 +73,11 @@ auto kinks_of(const F& f) {
 }
 
 template <class F>
-constexpr Axis axis_of() {
+constexpr NodeClustering axis_of() {
     if constexpr (requires { F::axis; })
         return F::axis;
     else
-        return Axis::graded;
+        return NodeClustering::graded;
 }
 
 /// \p f at eight excess heights, given as a Map, whose copy by an expression does not dangle: by one call, or by eight
@@ -96,12 +96,12 @@ TensorLanes<T> values_of(const F& f, const TensorLanes<T>& excess, T t) {
 }
 
 /// \p own: of a function of any sign and growth, whose moduli and values at the ends of the windows are summed too.
-template <Axis axis, Real T, class F, bool own = false>
+template <NodeClustering axis, Real T, class F, bool own = false>
 class TensorRule {
 public:
     static constexpr bool kinked = KinkedLaw<F, T>;
-    static constexpr bool square = axis == Axis::even && !kinked;
-    static constexpr int falls = axis == Axis::rough ? 0 : 4;
+    static constexpr bool square = axis == NodeClustering::even && !kinked;
+    static constexpr int falls = axis == NodeClustering::rough ? 0 : 4;
     static constexpr std::size_t kinks = std::tuple_size_v<decltype(kinks_of<T>(std::declval<const F&>()))>;
     /// Kinds of piece: i < kinks ends at kink i and begins at the one before or at 0; begun ends at a kink, but begins
     /// at the window; linear begins there too, and open at 0 or the last kink; neither ends.
@@ -129,12 +129,13 @@ public:
             begin_ = map_.begin(-(log_accuracy + 12));
             if (first > 0) begin_ = (std::max)(begin_, map_.at(first));
             end_ = map_.end(last);
-            rows_ = (end_ - begin_) * (log_accuracy + (axis == Axis::graded && !kinked ? 4 : 3)) / map_.strip *
-                    (kinked                ? T(1.04) * (1 + below * (T(0.04) + T(0.093) * turn_on_))
-                     : axis == Axis::rough ? T(1)
-                                           : T(1.25));
+            rows_ = (end_ - begin_) * (log_accuracy + (axis == NodeClustering::graded && !kinked ? 4 : 3)) /
+                    map_.strip *
+                    (kinked                          ? T(1.04) * (1 + below * (T(0.04) + T(0.093) * turn_on_))
+                     : axis == NodeClustering::rough ? T(1)
+                                                     : T(1.25));
         }
-        asked_.fill(axis == Axis::even ? T(0.8) * log_accuracy + 8 : T(1.2) * log_accuracy + T(7.3));
+        asked_.fill(axis == NodeClustering::even ? T(0.8) * log_accuracy + 8 : T(1.2) * log_accuracy + T(7.3));
         asked_[0] += T(0.22) * log_accuracy * (std::min)(below / p_.c, T(5));
         asked_[begun] = log_accuracy / 2 + 8;
         asked_[linear] = asked_[open] = kinked   ? T(1.3) * log_accuracy + T(1.5)
@@ -234,7 +235,7 @@ private:
         tables_[linear].line(2 * p_.reach / T(count), count);
         if constexpr (kinked) {
             const auto kink = kinks_of<T>(f_);
-            tables_[0].legendre_rule(eights(asked_[0], most), axis == Axis::even ? 2 : 3, T(1));
+            tables_[0].legendre_rule(eights(asked_[0], most), axis == NodeClustering::even ? 2 : 3, T(1));
             for (std::size_t i = 1; i < kinks; ++i)
                 tables_[i].legendre_rule(eights(asked_[i], most), 1, kink[i] / kink[i - 1]);
             tables_[begun].legendre_rule(eights(asked_[begun], most), 1, T(1));
@@ -308,7 +309,7 @@ private:
 /// array of eight excess heights zeta - eta and one curvature t, and returns the array of values. A member
 /// at_once(visit) is called before each pass over the nodes: visit() asks for f at all of them, in their order, and
 /// takes any values. Does not allocate. \throws domain_error unless |eta| <= 1e6.
-template <Axis axis, bool own = false, Real T, class F>
+template <NodeClustering axis, bool own = false, Real T, class F>
 [[nodiscard]] Estimate<T> scaled_tensor_integral(const F& f, const PeakDistribution<T>& peaks, T eta,
                                                  const TensorOptions<T>& options = {}, T margin = 9) {
     require(std::abs(eta) <= T(1e6), "eta", eta, "a number between -1e6 and 1e6");
@@ -353,7 +354,7 @@ namespace fstiff { inline namespace v0_1 {
 /// f takes the excess height zeta - eta > 0 (over the rms height) and the curvature t > 0 (over the rms curvature) of a
 /// peak: numbers, or eight excess heights, as an Eigen::Map, and one curvature, which a generic function gets. It is
 /// smooth but for powers at 0 and for the kinks or jumps that a member critical(t), with kinks(), names; a function
-/// whose kinks are not known has a member axis = Axis::rough. It grows at most as exp(4 (zeta - eta + t)), and
+/// whose kinks are not known has a member axis = NodeClustering::rough. It grows at most as exp(4 (zeta - eta + t)), and
 /// varies over 0.2 and more: the error may miss a part of what is narrower, or is 0 where most peaks are. The value
 /// aims at options.relative_tolerance ({.relative_tolerance = 1e-6}; by default 1e4 epsilon); the error covers what is
 /// reached. For large eta it falls to 0 as exp(-eta^2/2). Source and units: head of this file.

@@ -192,7 +192,7 @@ void set_window(FractalFit<T>& result, const LogStructure<double>& log, const Ch
     const auto lag = [&](Eigen::Index k) { return static_cast<T>(log.step[static_cast<std::size_t>(k)]) * spacing; };
     result.reliable_from = reliable.from;
     result.slope_tolerance = static_cast<T>(chosen.tolerance);
-    result.behind_plateau = chosen.behind_plateau;
+    result.after_plateau = chosen.after_plateau;
     result.window = {lag(range.first), lag(range.last)};
     result.lags = static_cast<std::size_t>(range.count());
     result.slope_shortest = static_cast<T>(log.slope[range.first]);

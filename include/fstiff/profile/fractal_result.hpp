@@ -81,14 +81,14 @@ struct FractalFit {
     T line_dimension{};              ///< D of the ordinary straight line over the same window
     LengthRange<T> window;           ///< shortest and longest lag used [m]
     bool automatic_window{};
-    WindowEnd begins{};     ///< why the window begins there
-    WindowEnd ends{};       ///< and ends there
-    T reliable_from{};      ///< shortest lag that resolution and tip allow [m]; 0: not restricted
-    bool behind_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
-    T slope_tolerance{};    ///< that the automatic window took; 0 for a window given
-    std::size_t lags{};     ///< lags used
-    bool finite_band{};     ///< whether the waves beyond the ends of the band show
-    bool log_periodic{};    ///< whether these terms entered
+    WindowEnd begins{};    ///< why the window begins there
+    WindowEnd ends{};      ///< and ends there
+    T reliable_from{};     ///< shortest lag that resolution and tip allow [m]; 0: not restricted
+    bool after_plateau{};  ///< the window is steeper than a plateau at shorter lags: waviness, not roughness
+    T slope_tolerance{};   ///< that the automatic window took; 0 for a window given
+    std::size_t lags{};    ///< lags used
+    bool finite_band{};    ///< whether the waves beyond the ends of the band show
+    bool log_periodic{};   ///< whether these terms entered
     bool curved{};  ///< no clean power law: the slope changes by more than 0.2 and 3 standard deviations from end
                     ///< to end of the window or from its ends to its middle, a half of the window or a window
                     ///< next to it disagrees, the slope is below 0.2, or that of a part is, and less than that of the

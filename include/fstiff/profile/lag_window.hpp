@@ -166,14 +166,14 @@ struct IndexRange {
 
 /// Whether a range of slope \p slope follows a plateau, a lag where the slope of S was \p flattest.
 template <Real T>
-bool is_behind_plateau(T flattest, T slope) {
+bool is_after_plateau(T flattest, T slope) {
     return flattest < T(0.2) && slope > flattest + T(0.3);
 }
 
 /// Longest straight range among the lags \p within of the search, where the local slopes may differ from that of the
-/// range by \p tolerance, before a plateau or (\p behind_plateau) after one.
+/// range by \p tolerance, before a plateau or (\p after_plateau) after one.
 template <Real T>
-std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool behind_plateau,
+std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance, bool after_plateau,
                                          const IndexRange& within) {
     const Vector<T>&x = log.lag, &y = log.value, &local = log.slope;
     const Eigen::Index size = x.size();
@@ -195,8 +195,8 @@ std::optional<IndexRange> straight_range(const LogStructure<T>& log, T tolerance
             if (length < least || length <= best_length || b - a + 1 < static_cast<Eigen::Index>(min_window_lags))
                 break;
             const T mean = regression_slope(x, y.data(), a, b);
-            bool straight = is_behind_plateau(flattest, mean) == behind_plateau && mean > min_slope &&
-                            mean < max_slope && y[b] <= highest;
+            bool straight = is_after_plateau(flattest, mean) == after_plateau && mean > min_slope && mean < max_slope &&
+                            y[b] <= highest;
             for (Eigen::Index k = a; straight && k <= b; ++k)
                 straight = local[k] > min_slope / 2 - scatter[k] && local[k] < max_slope + scatter[k] &&
                            std::abs(local[k] - mean) <= (std::max)(scatter[k], tolerance);
@@ -215,7 +215,7 @@ template <Real F>
 struct ChosenRange {
     IndexRange range;
     F tolerance{};  // of the local slopes; 0: given
-    bool behind_plateau{};
+    bool after_plateau{};
 };
 
 /// Given window. \throws domain_error when it holds too few lags.
@@ -248,10 +248,10 @@ ChosenRange<double> given_range(const LogStructure<double>& log, const LengthRan
 /// Automatic window. \throws domain_error when there is none.
 template <Real T>
 ChosenRange<double> automatic_range(const LogStructure<double>& log, T spacing, const ReliableLags<T>& reliable) {
-    for (const auto& [tolerance, behind_plateau] :
+    for (const auto& [tolerance, after_plateau] :
          {std::pair{0.2, false}, {0.2, true}, {0.3, false}, {0.45, false}, {0.3, true}, {0.45, true}})
-        if (const auto range = straight_range(log, tolerance, behind_plateau, {0, log.lag.size() - 1}))
-            return {*range, tolerance, behind_plateau};
+        if (const auto range = straight_range(log, tolerance, after_plateau, {0, log.lag.size() - 1}))
+            return {*range, tolerance, after_plateau};
     const std::string first = rounded_text(log.slope[0], 4), last = rounded_text(log.slope[log.slope.size() - 1], 4);
     throw domain_error(
         {.parameter = "window",

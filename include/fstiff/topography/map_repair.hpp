@@ -24,7 +24,7 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 /// Whether no point of \p map two or three steps away supports the point (\p j, \p i), which is \p difference above
 /// its neighbours: a rim, a wall or a ridge goes on in some direction, and a bump or a cusp has a foot.
 template <Real T>
-[[nodiscard]] bool is_alone(const HeightMap<T>& map, Eigen::Index j, Eigen::Index i, T difference, T limit) {
+[[nodiscard]] bool is_isolated(const HeightMap<T>& map, Eigen::Index j, Eigen::Index i, T difference, T limit) {
     struct Step {
         Eigen::Index down, right;
     };
@@ -83,7 +83,7 @@ math::Repair find_spikes(HeightMap<T>& map, std::type_identity_t<T> limit, bool 
         }
     return math::spikes_among(map.heights.data(), differences, limit, remove, [&](std::size_t point, T difference) {
         const auto place = static_cast<Eigen::Index>(point);
-        return is_alone(map, place / columns, place % columns, difference, limit);
+        return is_isolated(map, place / columns, place % columns, difference, limit);
     });
 }
 

@@ -126,7 +126,7 @@ void frame_reflection(Panel& panel) {
 
 /// K, with the law of light loads for comparison, the changes of the law of the answer, and the K that a wave of the
 /// scene's frequency can distinguish from a weld and from a gap.
-Panel stiffness_panel(const detail::Problem& problem, const std::vector<DrawnCurve>& curves,
+Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<DrawnCurve>& curves,
                       const actions::Units& units) {
     Panel panel = panel_of(curves, scene::CurveQuantity::stiffness, "Normal stiffness per nominal area", units);
     panel.y.label = units.stiffness.heading("K/A₀");

@@ -13,7 +13,7 @@
 /// Units       heights [m], K [Pa/m]
 /// Valid       maps without missing points; shares of the area above 0 and below 1
 /// Accuracy    of K: up to 200 times the square of the scatter of u on the set, which is 1e-6 by default
-///             (tests/halfspace/held_contact_test.cpp)
+///             (tests/halfspace/bonded_contact_test.cpp)
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
@@ -32,7 +32,7 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Result of conjugate gradients.
 template <Real T = double>
-struct HeldContact {
+struct BondedContact {
     T compliance{};  ///< u on the set [m], for E = 1: 1/K
     T residual{};    ///< scatter of u on the set over its mean
     int iterations{};
@@ -158,11 +158,11 @@ template <Real T>
     return spots;
 }
 
-/// held_together, with the inverse of \p compliance.
+/// bonded, with the inverse of \p compliance.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse,
-                                           const GridField<T>& mask, const GridField<T>& start, T tolerance,
-                                           int max_iterations) {
+[[nodiscard]] BondedContact<T> bonded(SurfaceCompliance<T>& compliance, WaveFactors<float>& inverse,
+                                      const GridField<T>& mask, const GridField<T>& start, T tolerance,
+                                      int max_iterations) {
     using Field = GridField<T>;
     // start over its mean has the mean 1; corrections of mean 0 take u to one value on the set
     Field t = start / start.mean(), u = t;
@@ -170,7 +170,7 @@ template <Real T>
     const Field flat = Field::Zero(mask.rows(), mask.cols());
     SetGradients<T> gradients(compliance, inverse, flat);
     gradients.start(points_of(mask), u);
-    HeldContact<T> held;
+    BondedContact<T> held;
     for (;; ++held.iterations) {
         const T level = gradients.level();  // of the start it may be below 0
         held.residual = level > T(0) ? gradients.scatter() / level : std::numeric_limits<T>::infinity();
@@ -182,11 +182,10 @@ template <Real T>
 
 /// Result for the points where \p mask is 1 (others 0), from the pressures \p start on them, not all 0.
 template <Real T>
-[[nodiscard]] HeldContact<T> held_together(SurfaceCompliance<T>& compliance, const GridField<T>& mask,
-                                           const GridField<T>& start, T tolerance = T(1e-6),
-                                           int max_iterations = 2000) {
+[[nodiscard]] BondedContact<T> bonded(SurfaceCompliance<T>& compliance, const GridField<T>& mask,
+                                      const GridField<T>& start, T tolerance = T(1e-6), int max_iterations = 2000) {
     WaveFactors<float> inverse = compliance.inverse();
-    return held_together(compliance, inverse, mask, start, tolerance, max_iterations);
+    return bonded(compliance, inverse, mask, start, tolerance, max_iterations);
 }
 
 /// The highest points of one map, held together at one share of the area after another.
@@ -220,7 +219,7 @@ public:
         GridField<T> mask = GridField<T>::Zero(rows_, static_cast<Eigen::Index>(order_.size()) / rows_);
         for (std::size_t i = 0; i < count; ++i) mask.data()[order_[i]] = 1;
         SurfaceCompliance<T> compliance = compliance_;
-        return modulus_ / held_together<T>(compliance, mask, mask, tolerance).compliance * (points / T(count));
+        return modulus_ / bonded<T>(compliance, mask, mask, tolerance).compliance * (points / T(count));
     }
 
 private:

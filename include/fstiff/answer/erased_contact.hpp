@@ -28,9 +28,9 @@ template <class One>
 inline constexpr bool is_mean_of_tabulated<MeanOverShifts<One>> = fstiff::Contact<One, double>;
 
 template <class Contact>
-class Holder : public AnyContact {
+class ErasedContact : public AnyContact {
 public:
-    explicit Holder(Contact contact) : contact_(std::move(contact)) {}
+    explicit ErasedContact(Contact contact) : contact_(std::move(contact)) {}
     Points at_pressures(std::span<const double> pressures, Quantity quantities) const override {
         return curve_at_pressures(contact_, pressures, quantities);
     }
@@ -53,10 +53,10 @@ protected:
 
 /// A contact of plastic peaks, which begin to flow at omega_c = critical_over_radius R.
 template <class Contact>
-class PlasticHolder final : public Holder<Contact> {
+class ErasedPlasticContact final : public ErasedContact<Contact> {
 public:
-    PlasticHolder(Contact contact, double critical_over_radius)
-        : Holder<Contact>(std::move(contact)), critical_over_radius_(critical_over_radius) {}
+    ErasedPlasticContact(Contact contact, double critical_over_radius)
+        : ErasedContact<Contact>(std::move(contact)), critical_over_radius_(critical_over_radius) {}
     std::vector<LoadMeans<double>> means_at(std::span<const double> etas) const override {
         std::vector<LoadMeans<double>> means;
         for (const double eta : etas) means.push_back(detail::load_means(this->contact_, eta, critical_over_radius_));
@@ -136,15 +136,15 @@ private:
 };
 
 template <class Contact>
-std::unique_ptr<AnyContact> held(Contact contact) {
-    return std::make_unique<Holder<Contact>>(std::move(contact));
+std::unique_ptr<AnyContact> erase(Contact contact) {
+    return std::make_unique<ErasedContact<Contact>>(std::move(contact));
 }
 
 /// \p contacts of several shifts as their mean, one as it is.
 template <class Contact>
 std::unique_ptr<AnyContact> mean_over(std::vector<Contact> contacts) {
-    if (contacts.size() == 1) return held(std::move(contacts.front()));
-    return held(MeanOverShifts<Contact>(std::move(contacts)));
+    if (contacts.size() == 1) return erase(std::move(contacts.front()));
+    return erase(MeanOverShifts<Contact>(std::move(contacts)));
 }
 
 }}}  // namespace fstiff::detail

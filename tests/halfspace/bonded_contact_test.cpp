@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: boundary elements of the map itself, whose contact set is held together in the same way; a flat band, in
 // closed form.
+#include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
-#include <fstiff/halfspace/held_contact.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace held_contact_test {
+namespace bonded_contact_test {
 
 using namespace fstiff;
 
@@ -49,11 +49,11 @@ TEST_CASE("The highest points of a wave are its contact, whose stiffness boundar
         // the set itself: the same linear problem
         detail::GridField<double> on = (solver.pressures() > 0).cast<double>();
         detail::SurfaceCompliance<double> compliance(64, 64, map.dx, map.dy, edges);
-        const auto held = detail::held_together<double>(compliance, on, on, 1e-9);
+        const auto held = detail::bonded<double>(compliance, on, on, 1e-9);
         CHECK(test::relative_error(1 / held.compliance, state.stiffness) < 1e-8);
         CHECK(held.residual < 1e-9);
         for (const double scatter : {1e-2, 1e-3, 1e-4}) {
-            const auto rough = detail::held_together<double>(compliance, on, on, scatter);
+            const auto rough = detail::bonded<double>(compliance, on, on, scatter);
             CAPTURE(scatter, rough.residual);
             CHECK(rough.compliance > held.compliance * (1 - 1e-12));  // the least there is
             CHECK(rough.compliance / held.compliance - 1 < 200 * rough.residual * rough.residual);
@@ -61,4 +61,4 @@ TEST_CASE("The highest points of a wave are its contact, whose stiffness boundar
     }
 }
 
-}  // namespace held_contact_test
+}  // namespace bonded_contact_test
