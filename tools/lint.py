@@ -33,8 +33,8 @@ OPT_IN = re.compile("answer/(?!(answer|any_contact|causes|checks|chosen_law|conc
 OF_THREADS = "barrier condition_variable future latch semaphore shared_mutex stop_token thread".split()
 INCLUDE = re.compile(r"^[ \t]*#[ \t]*include.*", re.M)
 
-# sizes, in lines: of a file, of a function and of the comment that opens a header.
-FILE_LINES, FUNCTION_LINES, HEAD_LINES = 400, 60, 15
+# sizes, in lines: of a file, of a function, and of the comment that opens a header, which is longer where a page includes the header.
+FILE_LINES, FUNCTION_LINES, HEAD_LINES, PAGE_HEAD_LINES = 400, 60, 15, 40
 
 
 def read(path):
@@ -280,14 +280,20 @@ def functions(code):
         start = mark.end()
 
 
+def included_by_pages(root):
+    """The headers that README and docs include."""
+    pages = [root / "README.md", *root.glob("docs/*.md")]
+    return {f"include/{name}" for page in pages if page.exists() for name in re.findall(r"^#include <(fstiff/[^>]+)>", read(page), re.M)}
+
+
 def sizes(root):
-    problems, lines, long, heads = [], {}, {}, {}
+    problems, lines, long, heads, long_heads, pages = [], {}, {}, {}, {}, included_by_pages(root)
     for name, path in sources(root, "include", "src").items():
         text = read(path)
         lines[name] = text.count("\n")
         head = re.search(r"^/// \\file\n(?:///.*\n)*", text, re.M)
         if head and name.startswith("include/"):
-            heads[f"{name} head"] = head[0].count("\n")
+            (long_heads if name in pages else heads)[f"{name} head"] = head[0].count("\n")
         code = NO_CODE.sub(lambda found: "\n" * found[0].count("\n"), text)
         if code.count("{") != code.count("}"):
             problems.append(f"{name}: its braces do not match, so that no function can be counted")
@@ -296,7 +302,7 @@ def sizes(root):
             long[key] = max(size, long.get(key, 0))
     print(f"{len(lines)} files, {len(long)} functions")
     return problems + [f"{name}: has {size} lines, more than {limit}"
-                       for sizes, limit in ((lines, FILE_LINES), (long, FUNCTION_LINES), (heads, HEAD_LINES))
+                       for sizes, limit in ((lines, FILE_LINES), (long, FUNCTION_LINES), (heads, HEAD_LINES), (long_heads, PAGE_HEAD_LINES))
                        for name, size in sizes.items() if size > limit]
 
 
@@ -353,6 +359,10 @@ def api(root, update=False):
                 key = next((known for known in found if known[1] == key[1]), key)
                 found[key] = found.get(key) or re.sub(r"\\p ", "", re.split(r"(?<=[.])(?: |$)", comment, maxsplit=1)[0]).replace("|", "\\|")
                 codes[name] = codes.get(name, "") + code
+    for (header, name), meaning in found.items():
+        first = re.match(r"\w*", meaning)[0]
+        if first and re.search(rf"\b(?:class|typename|concept|Contact<T>|[\w:>&*]) ?&?{first}\b *[,)>=]", codes[name.removeprefix("io::")]):
+            problems.append(f"{header}: {name}: its comment begins with the parameter {first}: say what it is first")
     problems += [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
     problems += [f"{name} is public, and neither a page nor an example leads to it: put it into detail, or describe it" for name in unmet(root, codes)]
     if len(found) > API_NAMES:
@@ -489,7 +499,7 @@ def quotations(text):
 
 
 class Snippets:
-    """The blocks of one document, run from root:
+    """The blocks of one document, or of the comments of a header, run from root:
 
         ```cpp              a program, compiled and run (without a main(): compiled); the ```text block after it is
                             what it prints
@@ -564,6 +574,8 @@ class Snippets:
         checked = count = 0
         printed = None  # by a program, and shown by no ```text block yet
         edits, text = [], read(self.document)
+        if mark := "/// " * (self.document.suffix == ".hpp"):
+            text = re.sub("(?m)^/// ?", "", text)
         found = list(enumerate(blocks(text), 1))
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as compilers:  # what takes longest is done at once
             programs = {count: compilers.submit(self.compile, f"snippet_{count}", body)
@@ -581,12 +593,13 @@ class Snippets:
                 continue
             checked += 1
             edits += [(line, body, new)] * (new != body)
-        shown = text.split("\n")
+        shown = read(self.document).split("\n")
         for line, body, new in reversed(edits):
-            shown[line:line + body.count("\n") + bool(body)] = new.split("\n")
+            shown[line:line + body.count("\n") + bool(body)] = [(mark + one).rstrip() if mark else one for one in new.split("\n")]
         if edits:
             self.document.write_text("\n".join(shown), encoding="utf-8", newline="\n")
-        self.problems += quotations("\n".join(shown))
+        if not mark:
+            self.problems += quotations("\n".join(shown))
         print(f"{self.document}: {checked} of {count} blocks checked, {len(edits)} written")
         return [f"{self.document}: {problem}" for problem in self.problems]
 

@@ -4,6 +4,27 @@
 /// One stiffness with its band for a joint: declarations, which cost a file no more than Eigen does. The functions come
 /// from fstiff::double, from one file of the program that includes fstiff/implementation.hpp, or with
 /// fstiff/answer_inline.hpp into the file itself (docs/linking-cpp.md).
+///
+/// ```cpp
+/// #include <fstiff/answer_inline.hpp>
+///
+/// #include <cstdio>
+/// #include <vector>
+///
+/// int main() {
+///     const fstiff::Body steel = body_of(*fstiff::find_material("C45"));
+///     const fstiff::Joint joint{.face = {.rms_height = 0.5e-6, .rms_gradient = 0.1}, .upper = steel, .lower = steel};
+///     const fstiff::Answer plates = fstiff::answer(joint, std::vector{10e6, 30e6});
+///     for (const fstiff::AnswerPoint& point : plates.points)
+///         if (point.ok())
+///             std::printf("%.0f MPa: K/A0 = %.3g Pa/m (%.3g to %.3g)\n", point.pressure * 1e-6, point.stiffness.value,
+///                         point.stiffness.low, point.stiffness.high);
+/// }
+/// ```
+/// ```text
+/// 10 MPa: K/A0 = 8.71e+13 Pa/m (2.78e+13 to 2.47e+14)
+/// 30 MPa: K/A0 = 2.39e+14 Pa/m (1.08e+14 to 5.27e+14)
+/// ```
 
 #include <fstiff/answer/answer.hpp>
 

@@ -56,6 +56,7 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/profile_form.hpp>
 #include <fstiff/profile/profile_repair.hpp>
+#include <fstiff/profile/profile_structure.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
 #include <fstiff/profile/structure_fit.hpp>
 #include <fstiff/profile/structure_function.hpp>
@@ -129,6 +130,7 @@
 #include <fstiff/tabulated/ball_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/kinked_tabulator.hpp>
+#include <fstiff/tabulated/law_batches.hpp>
 #include <fstiff/tabulated/law_tables.hpp>
 #include <fstiff/tabulated/law_tabulator.hpp>
 #include <fstiff/tabulated/law_text.hpp>

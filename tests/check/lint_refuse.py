@@ -119,6 +119,7 @@ struct A {
     requires (N<T> > 2)
     T operator()(T x) const noexcept(true) {
 """ + 56 * "//\n" + "{}}\n};\n"
+INCLUDED = ("docs/a.md", "```cpp\n#include <fstiff/a.hpp>\n```\n", "include/fstiff/a.hpp")
 SIZES = [
     ("", "src/io/a.cpp", 400 * "\n"),
     ("src/io/a.cpp: has 401 lines, more than 400", "src/io/a.cpp", 401 * "\n"),
@@ -136,6 +137,8 @@ SIZES = [
     ("its braces do not match", "src/io/a.cpp", "namespace a {\n"),
     ("include/a.h head: has 16 lines, more than 15", "include/a.h", "#pragma once\n/// \\file\n" + 15 * "///\n"),
     ("", "include/a.h", "/// \\file\n" + 14 * "/// a\n" + "\n" + 20 * "/// b\n"),
+    ("", *INCLUDED, "/// \\file\n" + 39 * "/// a\n"),
+    ("include/fstiff/a.hpp head: has 41 lines, more than 40", *INCLUDED, "/// \\file\n" + 40 * "/// a\n"),
 ]
 SLOW = ("CONTRIBUTING.md", "## Slow words\n\n| pattern | write |\n|---|---|\n| `beside` | \"with\" |\n| `stands?` | \"is\" |\n")
 PROSE = [(expected, *SLOW, name, text) for expected, name, text in (
@@ -316,6 +319,7 @@ APIS = [("", *VERSION, *PAGE, *LAW, API),
         ("Law is in fstiff, not in fstiff::v1_2", *VERSION, *PAGE, *LAW, API.replace("inline namespace v1_2 {", "").replace("}}", "}")),
         ("does not list", *VERSION, *PAGE, "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. | law |\n", ""), LAW[2], API),
         ("load is public and has no comment", *VERSION, *PAGE, *LAW, API.replace("/// Its load.\n", "")),
+        ("load: its comment begins with the parameter law", *VERSION, *PAGE, *LAW, API.replace("/// Its load", "/// \\p law, pressed")),
         ("load is public, and neither a page", *VERSION, "README.md", "Law IsLaw least\n", *LAW, API),
         ("have 5 names, more than 4", *VERSION, *PAGE, *LAW, API.replace("}}  // namespace", "/// One.\nint one();\n}}  // namespace"))]
 

@@ -3,9 +3,9 @@
 /// \file
 /// The answer: one stiffness for each pressure, by the law that holds there, with a band and its causes.
 ///
-///     const fstiff::Answer found = fstiff::answer(joint, pressures);
-///     for (const fstiff::AnswerPoint& at : found.points)
-///         if (at.ok()) use(at.pressure, at.stiffness.value, at.stiffness.low, at.stiffness.high, name_of(at.law));
+///     const fstiff::Answer plates = fstiff::answer(joint, pressures);
+///     for (const fstiff::AnswerPoint& point : plates.points)
+///         if (point.ok()) use(point.pressure, point.stiffness.value, point.stiffness.low, point.stiffness.high);
 ///
 /// What `fstiff run` computes of a scene that names no law. Where the functions come from: docs/linking-cpp.md.
 ///

@@ -28,8 +28,8 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 [[nodiscard]] bool makes_doubtful(const Check<double>& check, std::size_t points);
 /// How far the states of \p curve by law plastic are beyond all that it was compared with; none: not at all.
 [[nodiscard]] std::optional<Check<double>> beyond_comparison(const ResolvedJoint& problem, const LawCurve& curve);
-/// The rms gradient of \p face, whose peaks have the correlation of the greatest entry of ResolvedJoint::peaks, where no
-/// surface has it.
+/// The rms gradient of \p face, whose peaks have the correlation of the greatest entry of ResolvedJoint::peaks, where
+/// no surface has it.
 [[nodiscard]] std::optional<ImplausibleGradient> implausible_gradient(const ResolvedJoint& problem, const Face& face);
 /// All checks that do not hold of \p curve, the answer to \p request; `first` is a place among Request::points, or 0 of
 /// the surface.

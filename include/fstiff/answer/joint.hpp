@@ -40,7 +40,7 @@ public:
     [[nodiscard]] virtual const Surface<double>& surface() const = 0;
     [[nodiscard]] virtual detail::Face face() const = 0;  ///< as the laws have it
 };
-/// \p surface, of measure(), for a joint. \throws domain_error for null.
+/// Face of a joint with the surface \p surface, of measure(). \throws domain_error for null.
 [[nodiscard]] std::shared_ptr<const MeasuredFace> measured_face(std::shared_ptr<const Surface<double>> surface);
 /// The same of a copy.
 [[nodiscard]] std::shared_ptr<const MeasuredFace> measured_face(Surface<double> surface);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A joint as it is given becomes a ResolvedJoint: what is written counts before what was measured, and that before a prior.
-/// Functions of answer/resolve.hpp: inline, or compiled once (docs/linking-cpp.md).
+/// A joint as it is given becomes a ResolvedJoint: what is written counts before what was measured, and that before a
+/// prior. Functions of answer/resolve.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/request.hpp>

@@ -264,7 +264,8 @@ private:
     detail::Panels<T> panels_{0};             ///< of the separation
 };
 
-/// \p C is the contact of the Gaussian surface: HybridContact of its peaks and its spectrum.
+/// Contact of a surface whose heights are not Gaussian. \p C is the contact of the Gaussian surface: HybridContact of
+/// its peaks and its spectrum.
 template <Real T, Contact<T> C>
 class ScaledContact : public detail::SlopeContact<ScaledContact<T, C>, T> {
 public:

@@ -16,7 +16,7 @@
 
 namespace fstiff { inline namespace v0_1 {
 
-/// Quantities that were not asked for are 0, with 0 evaluations.
+/// State of a contact at one separation. Quantities that were not asked for are 0, with 0 evaluations.
 template <Real T = double>
 struct ContactState {
     T eta{};                         ///< separation at which the peaks meet, over the rms height

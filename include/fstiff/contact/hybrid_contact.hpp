@@ -43,8 +43,9 @@ struct FifthPowers {
 
 }  // namespace detail
 
-/// \p Peaks is a contact of independent peaks: RoughContact with any law, BandHills or SummitContact; \p Join makes one
-/// K under a pressure of two functions, and calls those that it needs.
+/// Contact by its independent peaks at light loads, and by its whole spectrum at heavy ones. \p Peaks is RoughContact
+/// with any law, BandHills or SummitContact; \p Join makes one K under a pressure of two functions, and calls those
+/// that it needs.
 template <Real T, Contact<T> Peaks, class Join = detail::FifthPowers<T>>
 class HybridContact : public detail::SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:

@@ -105,7 +105,8 @@ private:
 
 }  // namespace detail
 
-/// \p gamma is that of PerssonContact. \throws domain_error as PerssonContact and BandHills.
+/// Elastic contact of the random surface with the spectrum \p band. \p gamma is that of PerssonContact. \throws
+/// domain_error as PerssonContact and BandHills.
 template <Real T>
 [[nodiscard]] HybridContact<T, detail::BandHills<T>> hybrid_of_band(const BandSpectrum<T>& band,
                                                                     std::type_identity_t<T> effective_modulus,

@@ -158,7 +158,8 @@ private:
 
 }  // namespace detail
 
-/// \p Elastic is the contact of the same surface without flow, at light and heavy loads: HybridContact.
+/// Contact whose spots yield at a hardness. \p Elastic is the contact of the same surface without flow, at light and
+/// heavy loads: HybridContact.
 template <Real T, class Elastic, detail::CutSurface<T> Cut>
 class PlasticContact : private detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
     using Base = detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T>;

@@ -3,9 +3,23 @@
 /// \file
 /// Measurement of a surface: from heights to every parameter that a contact needs, each with its standard error.
 ///
-///     const auto surface = fstiff::measure(fstiff::Profile<double>{heights, 0.5e-6});
-///     surface.rms_height.value, surface.rms_height.error       [m]
-///     surface.cut_offs.lambda_s, surface.concerns, surface.neighbours
+/// ```cpp
+/// #include <fstiff/measure/measure.hpp>
+/// #include <fstiff/synthetic/self_affine.hpp>
+///
+/// #include <cstdio>
+///
+/// int main() {
+///     const fstiff::Profile<double> trace = fstiff::self_affine_profile<double>(  // or {heights, spacing}, in m
+///         {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 100e-6, .seed = 3}, 16384, 0.5e-6);
+///     const auto surface = fstiff::measure(trace);
+///     std::printf("sigma = %.3f +- %.3f um, lambda_s = %.3g um, %zu concerns\n", surface.rms_height.value * 1e6,
+///                 surface.rms_height.error * 1e6, *surface.cut_offs.lambda_s * 1e6, surface.concerns.size());
+/// }
+/// ```
+/// ```text
+/// sigma = 0.299 +- 0.011 um, lambda_s = 2.5 um, 0 concerns
+/// ```
 ///
 /// Steps: clean() (nothing by default), prepare() (form, lambda_s, lambda_c where given), surface_parameters(),
 /// height_statistics(), ShapeOfHeights, concerns_of(). The neighbours are the same surface measured with a shorter and

@@ -8,13 +8,10 @@
 ///     else the row: the first whose Ra, measured with its own lambda_c, is in its range
 ///     among those that the profile can contain: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
 ///
-/// Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it: the choice
-/// is consistent in the sense of the standard. Without such a row the longest lambda_c of the profile is used.
-///
-/// Ra would confirm any lambda_c that removes the waves of a periodic profile.
-///
-/// Reference   ISO 4288:1996, 7.2 and Tables 1 and 3, which ISO 21920-3:2021 keeps as its last resort; 2 lambda_c is
-///             this project's
+/// Ra grows with lambda_c, so that the Ra of the first such row is above the ranges of the rows before it, as the
+/// standard expects. Without such a row it is the longest lambda_c of the profile. Ra would confirm any lambda_c that
+/// removes the waves of a periodic profile.
+/// Reference   ISO 4288:1996, 7.2 and Tables 1 and 3, the last resort of ISO 21920-3:2021; 2 lambda_c: this project's
 /// Units       [m]
 /// Valid       a profile without its form
 /// Accuracy    that of gaussian_roughness() (tests/measure/roughness_cut_off_test.cpp)

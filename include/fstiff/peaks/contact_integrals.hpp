@@ -10,6 +10,20 @@
 /// The integral over zeta is closed (math/gaussian_moment.hpp); that over t is a trapezoidal rule whose nodes all
 /// quantities share (peaks/peak_sums.hpp). Functions without such powers: peaks/tensor_integrals.hpp.
 ///
+/// ```cpp
+/// #include <fstiff/peaks/contact_integrals.hpp>
+///
+/// #include <cstdio>
+///
+/// int main() {
+///     const fstiff::PeakDistribution<double> peaks(0.5, 1.0);  // r, theta
+///     const auto j = fstiff::contact_integral(0.5, -0.5, peaks, 2.0);
+///     std::printf("J = %.15f, error below %.0e, %d evaluations\n", j.value, j.error, static_cast<int>(j.evaluations));
+/// }
+/// ```
+/// ```text
+/// J = 0.027259826841705, error below 3e-15, 40 evaluations
+/// ```
 /// Reference   Buczkowski, Kleiber, Starzynski, Arch. Mech. 66 (2014), eqs. (4.5)-(4.9)
 /// Units       dimensionless
 /// Valid       0 <= r < 1, 0 < theta < pi/2, |eta| <= 1e6; beyond the peaks the value underflows to 0

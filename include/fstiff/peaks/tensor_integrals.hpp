@@ -354,8 +354,8 @@ namespace fstiff { inline namespace v0_1 {
 /// f takes the excess height zeta - eta > 0 (over the rms height) and the curvature t > 0 (over the rms curvature) of a
 /// peak: numbers, or eight excess heights, as an Eigen::Map, and one curvature, which a generic function gets. It is
 /// smooth but for powers at 0 and for the kinks or jumps that a member critical(t), with kinks(), names; a function
-/// whose kinks are not known has a member axis = NodeClustering::rough. It grows at most as exp(4 (zeta - eta + t)), and
-/// varies over 0.2 and more: the error may miss a part of what is narrower, or is 0 where most peaks are. The value
+/// whose kinks are not known has a member axis = NodeClustering::rough. It grows at most as exp(4 (zeta - eta + t)),
+/// and varies over 0.2 and more: the error may miss a part of what is narrower, or is 0 where most peaks are. The value
 /// aims at options.relative_tolerance ({.relative_tolerance = 1e-6}; by default 1e4 epsilon); the error covers what is
 /// reached. For large eta it falls to 0 as exp(-eta^2/2). Source and units: head of this file.
 /// \throws domain_error unless |eta| <= 1e6 and the tolerance is between 50 epsilon and 0.1, and where f is not finite.

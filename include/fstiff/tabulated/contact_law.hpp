@@ -4,7 +4,25 @@
 /// Tabulated contact: stiffness and pressure in nanoseconds, for codes that evaluate the law millions of times.
 ///
 ///     p(d), K(d), -dp/dd, d(p), K(p), dK/dp        d: separation of the mean planes
+/// ```cpp
+/// #include <fstiff/asperity/laws.hpp>
+/// #include <fstiff/contact/rough_contact.hpp>
+/// #include <fstiff/tabulated/contact_law.hpp>
+///
+/// #include <cstdio>
+///
+/// int main() {
+///     const fstiff::Roughness<double> rough{.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 500e6};
+///     const fstiff::PeakDistribution<double> peaks(0.5, 1.0);
+///     const fstiff::RoughContact contact(rough, peaks, fstiff::HertzLaw<double>{}, 112.6e9);
 ///     const auto law = fstiff::ContactLaw<double>::tabulate(contact, {.min_pressure = 1e5, .max_pressure = 1e8});
+///     const auto [pressure, slope] = law.tangent_at_separation(law.separation(10e6));
+///     std::printf("p = %.4e Pa, -dp/dd = %.4e Pa/m\n", pressure, slope);
+/// }
+/// ```
+/// ```text
+/// p = 1.0000e+07 Pa, -dp/dd = 3.2839e+13 Pa/m
+/// ```
 ///
 /// -dp/dd is the derivative of the returned p, the tangent of Newton's method; p falls and K rises monotonically.
 ///
@@ -22,6 +40,7 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/piecewise.hpp>
 #include <fstiff/peaks/quantity.hpp>
+#include <fstiff/tabulated/law_batches.hpp>
 #include <fstiff/tabulated/law_tables.hpp>
 #include <fstiff/tabulated/law_tabulator.hpp>
 #include <fstiff/tabulated/law_text.hpp>
@@ -29,53 +48,6 @@
 namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
-
-/// \throws domain_error unless \p a and \p b, the sizes of two arrays, are equal.
-inline void require_same_size(Eigen::Index a, Eigen::Index b) {
-    if (a != b)
-        throw domain_error(Refusal{.parameter = "batch",
-                                   .reason = "the arrays have " + std::to_string(a) + " and " + std::to_string(b) +
-                                             " elements: must have the same number"});
-}
-
-/// Fills \p out, the results of the elements of \p x. Those within \p pieces go through \p four, and four are filled up
-/// where fewer are left, so that a result does not depend on the place of its element; the others go through \p single.
-template <class Pieces, Real T, std::size_t N, class FourAt, class OneAt>
-void law_batch(const Pieces& pieces, const Eigen::Ref<const Eigen::ArrayX<T>>& x, const std::array<T*, N>& out,
-               const FourAt& four, const OneAt& single) {
-    const auto put = [&out](Eigen::Index i, const std::array<T, N>& value) {
-        for (std::size_t n = 0; n < N; ++n) out[n][i] = value[n];
-    };
-    const Eigen::Index count = x.size();
-    if constexpr (!math::four_at_once<T>) {
-        for (Eigen::Index i = 0; i < count; ++i) put(i, single(x[i]));
-    } else {
-        T arguments[4], values[N][4];
-        for (Eigen::Index i = 0; i < count; i += 4) {
-            const T* from = x.data() + i;
-            std::array<T*, N> to = out;
-            for (T*& target : to) target += i;
-            const bool full = count - i >= 4 && pieces.contains(from[0]) && pieces.contains(from[1]) &&
-                              pieces.contains(from[2]) && pieces.contains(from[3]);
-            if (full) [[likely]] {
-                four(pieces, from, to);
-                continue;
-            }
-            const Eigen::Index left = std::min<Eigen::Index>(count - i, 4);
-            for (Eigen::Index k = 0; k < 4; ++k)
-                arguments[k] = k < left && pieces.contains(from[k]) ? from[k] : pieces.lowest();
-            for (std::size_t n = 0; n < N; ++n) to[n] = values[n];
-            four(pieces, arguments, to);
-            for (Eigen::Index k = 0; k < left; ++k) {
-                if (!pieces.contains(from[k])) {
-                    put(i + k, single(from[k]));
-                    continue;
-                }
-                for (std::size_t n = 0; n < N; ++n) out[n][i + k] = values[n][k];
-            }
-        }
-    }
-}
 
 template <Real T>
 void require_range(const LawRange<T>& range) {
@@ -87,7 +59,7 @@ void require_range(const LawRange<T>& range) {
 
 }  // namespace detail
 
-/// p(d), K(d) and d(p), K(p) of a contact from tables, in nanoseconds. Threads may share one.
+/// Law of a contact from tables: p(d), K(d) and d(p), K(p) in nanoseconds. Threads may share one.
 template <Real T = double>
 class ContactLaw {
 public:
