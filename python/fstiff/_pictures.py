@@ -12,11 +12,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._results import Numbers, Table
-    from ._scenes import Curves
 
 
-def draw_curves(given: Curves, smooth: Curves, y: str, x: str, ax: Axes | None) -> Axes:
-    """Curves.plot(), with the smooth lines of `given`."""
+def draw_curves(given: Any, smooth: Any, y: str, x: str, ax: Axes | None) -> Axes:
+    """Curves.plot() of `given`, with the lines of `smooth`: the same curves at more points."""
     import numpy as np
 
     given.column(x), given.column(y)

@@ -6,6 +6,7 @@
 #include "actions/identify.hpp"
 #include "actions/measure.hpp"
 #include "actions/one_contact.hpp"
+#include "actions/compute.hpp"
 #include "actions/run.hpp"
 #include "actions/ultrasound.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/overclosure.hpp"
 
+#include "actions/compute.hpp"
 #include "actions/one_contact.hpp"
 #include "actions/results.hpp"
 #include "document/file.hpp"

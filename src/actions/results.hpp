@@ -70,15 +70,6 @@ struct Results {
 /// Whether any curve has a band.
 [[nodiscard]] bool has_band(const Results& results);
 
-/// Everything the scene asks for. A point that a law does not reach leaves the others alone, with a warning. \p
-/// progress is called while a band is sampled; \p parallel runs what takes long.
-/// \throws domain_error where the model cannot give it, or no law reaches any point, naming the place in the scene.
-[[nodiscard]] Results compute(const scene::Scene& scene, const ProgressHook& progress = {},
-                              const ParallelHook& parallel = {});
-/// The curves of compute() with their states, bands and columns, but without checks, means and warnings.
-/// \p contacts are those of the scene, or of one with other points. \throws domain_error as compute().
-[[nodiscard]] std::vector<Curve> curves_of(const scene::Scene& scene, const std::vector<detail::MadeContact>& contacts);
-
 /// \p scene with enough points for a smooth curve through those it has, which it keeps, or \p between them alone.
 [[nodiscard]] scene::Scene with_finer_points(scene::Scene scene, bool between = false);
 

@@ -6,6 +6,7 @@
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
 #include "actions/peak_density.hpp"
+#include "actions/compute.hpp"
 #include "actions/run.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/ultrasound.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene/column.hpp"
 
-#include "scene/scene.hpp"
-
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/derived.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>

@@ -2,6 +2,9 @@
 #pragma once
 // The columns of a curve, each by what it holds: names, units and headings follow from one table.
 
+#include "scene/curve_quantity.hpp"
+#include "scene/scene.hpp"
+
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/derived.hpp>
 #include <fstiff/contact/contact_state.hpp>
@@ -16,31 +19,6 @@
 
 namespace fstiff::scene {
 
-struct Scene;
-
-/// Quantities of columns, in the order of the columns.
-enum class CurveQuantity {
-    force,
-    pressure,
-    eta,
-    separation,
-    approach,
-    stiffness,
-    joint_stiffness,
-    loading_stiffness,
-    tangential_stiffness,
-    loss_factor,
-    reflection,
-    shear_reflection,
-    thermal_conductance,
-    thermal_conductance_gap,
-    electrical_conductance,
-    thermal_resistance,
-    electrical_resistance,
-    real_area,
-    contacts
-};
-inline constexpr std::size_t curve_quantity_count = static_cast<std::size_t>(CurveQuantity::contacts) + 1;
 /// The number of the quantity: its value, its numerical error, or an end of its band.
 enum class Statistic { value, error, p05, p95 };
 

@@ -7,7 +7,7 @@
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/resolved_joint.hpp>
 #include "request/field.hpp"
-#include "scene/column.hpp"
+#include "scene/curve_quantity.hpp"
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/asperity/named_materials.hpp>

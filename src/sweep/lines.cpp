@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/lines.hpp"
 
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "document/file.hpp"
 #include "document/json.hpp"

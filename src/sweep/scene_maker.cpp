@@ -2,7 +2,7 @@
 #include "sweep/scene_maker.hpp"
 
 #include "scene/readers.hpp"
-#include "sweep/template.hpp"
+#include "sweep/scene_table.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/template.hpp"
 
-#include "document/file.hpp"
-
-#include <cmath>
+#include <fstiff/core/error.hpp>
 
 namespace fstiff::sweep {
 namespace {
@@ -32,23 +30,6 @@ void put_at(toml::table& root, const std::string& key, const toml::node& node, c
     if (const auto there = toml::at_path(root, place); !there || (key.back() != ']' && !there.is_table()))
         throw domain_error(file + ": " + key + ": is no place of the scene");
     node.visit([&](const auto& value) { put(root, key, value); });
-}
-
-toml::table table_of(const Grid& grid, const std::vector<Value>& values) {
-    toml::table root = grid.form->root;
-    for (std::size_t i = 0; i < grid.axes.size(); ++i) {
-        const Axis& axis = grid.axes[i];
-        const double number = values[i].number;
-        if (!grid.form->listed[i].empty())
-            grid.form->listed[i][values[i].place].visit([&](const auto& node) { put(root, axis.key, node); });
-        else if (!axis.unit.empty())
-            put(root, axis.key, document::shortest(number) + " " + axis.unit);
-        else if (axis.whole && number == std::round(number))
-            put(root, axis.key, static_cast<std::int64_t>(number));
-        else
-            put(root, axis.key, number);
-    }
-    return root;
 }
 
 }  // namespace fstiff::sweep

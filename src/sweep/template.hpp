@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The TOML of a grid, and how a scene is made of it. Private to the files that make scenes: it brings in toml++.
+// The TOML of a grid. Private to the files that make scenes: it brings in toml++.
 
 #include "request/toml.hpp"
-#include "sweep/grid.hpp"
 
 #include <string>
 #include <vector>
@@ -14,9 +13,6 @@ struct Template {
     toml::table root;                 ///< without [sweep]; swept nodes as they are written
     std::vector<toml::array> listed;  ///< of the axes: the nodes of a list; else empty
 };
-
-/// The scene's table with \p values in place of what is swept: what a person would write by hand, in SI.
-[[nodiscard]] toml::table table_of(const Grid& grid, const std::vector<Value>& values);
 
 /// Puts \p node at \p key of the scene \p root, such as "contact.pressures[0]"; its section may be new.
 /// \throws domain_error, after the name of the \p file, where the scene has no such place.

@@ -15,6 +15,7 @@
 #include <fstiff/tabulated/tangential_law.hpp>
 #include <fstiff/topography/form.hpp>
 
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every sentence that advises something is tested by following it, over the scenes of data/ and docs/ and the
 // files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
+#include "actions/compute.hpp"
 #include "actions/explanation.hpp"
 #include "support/library.hpp"
 #include "support/skip.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone;
 // the statements of docs/scene.md about it, one by one.
+#include "actions/compute.hpp"
 #include "actions/explanation.hpp"
 
 #include "support/library.hpp"

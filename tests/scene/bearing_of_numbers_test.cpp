@@ -3,6 +3,7 @@
 // and the same surface written in another way.
 #include "actions/measure.hpp"
 #include "actions/one_contact.hpp"
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "scene/scene.hpp"
 

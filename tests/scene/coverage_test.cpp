@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The band of K of one trace, against K of the mean spectrum of 100 traces of one process and its D.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "surface/measured_surface.hpp"
 

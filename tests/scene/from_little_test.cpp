@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from little: height and gradient by other names, the process, and what is taken for the rest. Truth: the same
 // numbers written out, K by the library, and surfaces drawn at random.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "scene/scene.hpp"
 

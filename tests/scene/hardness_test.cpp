@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hardness that is not given is a number that is not known; K of a map is that of all its waves. Truth: the answers
 // for hardnesses that are given; boundary elements of the map itself.
+#include "actions/compute.hpp"
 #include "actions/explanation.hpp"
 
 #include "support/library.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The keys of a scene for the laws that are not in the paper. Truth: the library's contacts, made by hand; tests/data.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 
 #include <fstiff/answer/face.hpp>

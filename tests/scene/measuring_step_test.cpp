@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K of hybrid of measured traces at every 1st to 16th point, and after filtering with lambda_s from none to 16 steps:
 // within 15 %, though R goes a hundredfold. Traces: FSTIFF_SURFACES.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "scene/scene.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The measurement that a scene advises next. Truth: the scene with that measurement written in its text, at the value
 // that was assumed, and with each of the others.
+#include "actions/compute.hpp"
 #include "actions/explanation.hpp"
 #include "support/library.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/one_contact.hpp"
 
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 
 #include "support/catch.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contents of a scene and their messages: ranges of keys, values that contradict each other, values that were
 // assumed, files that are listed twice.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 
 #include "cli/command.hpp"

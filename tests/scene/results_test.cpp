@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 
 #include "cli/command.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K of hybrid of a map at every 1st, 2nd, 4th and 8th of its points along both sides, by the map itself and by its
 // numbers: of measured maps (FSTIFF_SURFACES) and of a broad Gaussian one.
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "scene/scene.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No pressure is lost without a sentence and a doubtful result, and no sentence contradicts the numbers above it.
 // Truth: limits worked by hand (0.75 E g, the hardness), and the columns themselves.
+#include "actions/compute.hpp"
 #include "actions/explanation.hpp"
 #include "support/csv.hpp"
 #include "support/library.hpp"

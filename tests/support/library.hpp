@@ -6,6 +6,7 @@
 #include "actions/fractal.hpp"
 #include "actions/islands.hpp"
 #include "actions/measure.hpp"
+#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "actions/run.hpp"
 #include "surface/measured_surface.hpp"

@@ -4,7 +4,8 @@
 
 #include "scene/readers.hpp"
 #include "support/catch.hpp"
-#include "sweep/template.hpp"
+#include "actions/compute.hpp"
+#include "sweep/scene_table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,6 +2,7 @@
 // The figure of results, and its files: the picture, and its numbers as CSV.
 #include "picture/plot.hpp"
 
+#include "actions/compute.hpp"
 #include "actions/run.hpp"
 #include "document/own_output.hpp"
 
