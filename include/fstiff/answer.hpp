@@ -9,13 +9,11 @@
 /// #include <fstiff/answer_inline.hpp>
 ///
 /// #include <cstdio>
-/// #include <vector>
 ///
 /// int main() {
 ///     const fstiff::Body steel = body_of(*fstiff::find_material("C45"));
 ///     const fstiff::Joint joint{.face = {.rms_height = 0.5e-6, .rms_gradient = 0.1}, .upper = steel, .lower = steel};
-///     const fstiff::Answer plates = fstiff::answer(joint, std::vector{10e6, 30e6});
-///     for (const fstiff::AnswerPoint& point : plates.points)
+///     for (const fstiff::AnswerPoint& point : fstiff::answer(joint, {10e6, 30e6}).points)
 ///         if (point.ok())
 ///             std::printf("%.0f MPa: K/A0 = %.3g Pa/m (%.3g to %.3g)\n", point.pressure * 1e-6, point.stiffness.value,
 ///                         point.stiffness.low, point.stiffness.high);

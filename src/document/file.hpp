@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 enum class Dimension;
 }
 

@@ -24,7 +24,7 @@
 
 #include <map>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -112,4 +112,4 @@ extern constexpr Reader al3d_reader{.format = SurfaceFormat::al3d,
                                     .begins = is_al3d,
                                     .read = read_by<Al3dReader>};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

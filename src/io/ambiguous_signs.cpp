@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 bool has_both_signs(std::string_view cell) {
     return cell.find_first_of(".,") != cell.find_last_of(".,") &&
@@ -192,4 +192,4 @@ void settle_lone_commas(NumberTable& table) {
     table.columns = 1;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -7,7 +7,7 @@
 
 #include "io/column_titles.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// Whether \p cell is a number with points and commas, as 1.000,5 or 1,000.5 is.
 bool has_both_signs(std::string_view cell);
@@ -38,4 +38,4 @@ void refuse_split_thousands(const NumberTable& table, const std::string& name);
 /// row holds a point and the columns that it would separate could not be equally spaced positions and heights.
 void settle_lone_commas(NumberTable& table);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

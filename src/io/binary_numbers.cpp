@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/binary_numbers.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::uint64_t unsigned_at(std::string_view bytes, bool big) {
     std::uint64_t value = 0;
@@ -24,4 +24,4 @@ double real_at(std::string_view bytes, bool big) {
 double double_at(std::string_view bytes) { return real_at(bytes.substr(0, 8), false); }
 float float_at(std::string_view bytes) { return std::bit_cast<float>(little_endian<std::uint32_t>(bytes)); }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The unsigned integer that \p bytes are, the most significant first when \p big.
 std::uint64_t unsigned_at(std::string_view bytes, bool big);
@@ -28,4 +28,4 @@ T little_endian(std::string_view bytes) {
 double double_at(std::string_view bytes);
 float float_at(std::string_view bytes);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -3,7 +3,7 @@
 
 #include "io/unit_table.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -315,4 +315,4 @@ std::vector<bool> index_columns(const NumberTable& table) {
     return any ? index : std::vector<bool>();
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -14,7 +14,7 @@
 
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
 std::string_view title_unit(std::string_view title);
@@ -77,4 +77,4 @@ bool counts_points(const NumberTable& table, std::size_t c, bool from_start);
 /// Columns of \p table, whose rows are read, that number its points; empty where none does.
 std::vector<bool> index_columns(const NumberTable& table);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

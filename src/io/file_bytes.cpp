@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/file_bytes.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::string_view FileBytes::at(std::uint64_t place, std::uint64_t size, std::string_view what) const {
     if (place > bytes_.size() || size > bytes_.size() - place)
@@ -41,4 +41,4 @@ void set_height(RawMap& map, std::size_t index, double z) {
     map.heights[index] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -11,7 +11,7 @@
 #include "io/lines.hpp"
 #include "io/reading.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The bytes of a file in one byte order.
 class FileBytes {
@@ -74,4 +74,4 @@ void read_grid(RawMap& map, const FileBytes& file, const StoredGrid& grid, const
                        height_of(heights.substr(row * row_bytes + column * grid.size, grid.size)));
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 [[nodiscard]] inline std::filesystem::path path_of(std::string_view name) {
     return std::u8string(name.begin(), name.end());
@@ -17,4 +17,4 @@ namespace fstiff::io::detail {
     return {name.begin(), name.end()};
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

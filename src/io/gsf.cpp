@@ -23,7 +23,7 @@
 #include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -159,4 +159,4 @@ extern constexpr Reader gsf_reader{
     .read = read_by<GsfReader>,
     .may_begin = [](std::string_view bytes) { return bytes.starts_with("Gwyddion Simple Field"); }};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -32,7 +32,7 @@
 
 #include <map>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -352,4 +352,4 @@ extern constexpr Reader gwy_reader{.format = SurfaceFormat::gwy,
                                    .begins = is_gwy,
                                    .read = read_by<GwyReader>};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -5,7 +5,7 @@
 
 #include <fstiff/io/quantities.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -346,4 +346,4 @@ std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries) {
     return std::nullopt;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -10,7 +10,7 @@
 
 #include <fstiff/io/write.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// "key: value" or "key = value" of a header, or another line of it.
 struct HeaderEntry {
@@ -99,4 +99,4 @@ MissingValues stated_missing(const std::vector<HeaderEntry>& entries, std::strin
 /// "Form: triples" or "Form: matrix" of a header, as write_csv writes it.
 std::optional<MapForm> stated_form(const std::vector<HeaderEntry>& entries);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

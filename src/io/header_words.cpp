@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/header_words.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 bool is_word(std::string_view key, std::string_view word) {
     if (key == word) return true;
@@ -17,4 +17,4 @@ bool is_word(std::string_view key, std::string_view word) {
     return ascii && key.empty() && word.empty();
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -16,7 +16,7 @@
 
 #include <array>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 // "Width: 10 um" of Gwyddion: Czech, German, Spanish, French, Italian, Japanese, Korean, Portuguese, Russian
 inline constexpr std::array<std::string_view, 10> width_words{"\xC5\xA0\xC3\xAD\xC5\x99ka",
@@ -107,4 +107,4 @@ bool is_one_of_words(std::string_view key, const std::array<std::string_view, N>
     return false;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

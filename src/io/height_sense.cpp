@@ -3,7 +3,7 @@
 
 #include "io/height_sense_words.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -348,4 +348,4 @@ void turn_over(RawMap& map, const WrittenTitle& title, const std::vector<HeaderE
     for (double& height : map.heights) height = -height;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -17,7 +17,7 @@
 
 #include "io/header.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// Whether the column \p title holds depths, or heights with the other sign.
 bool names_depth(std::string_view title);
@@ -46,4 +46,4 @@ double factor_of_heights(const std::vector<HeaderEntry>& entries, const SurfaceO
 void turn_over(RawMap& map, const WrittenTitle& title, const std::vector<HeaderEntry>& entries, const std::string& name,
                Record& record);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 inline constexpr std::array<std::string_view, 22> depth_words{
     "depth",
@@ -125,4 +125,4 @@ inline constexpr std::array<std::string_view, 19> factor_prefixes{"z",
 inline constexpr std::array<std::string_view, 12> times_words{"times", "fold",  "fach",  "mal", "durch", "fois",
                                                               "veces", "volte", "vezes", "per", "par",   "por"};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

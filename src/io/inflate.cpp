@@ -3,7 +3,7 @@
 
 #include <zlib.h>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 bool inflate_zlib(std::string_view stream, std::span<char> out) {
     if (stream.empty() || out.empty()) return false;
@@ -13,4 +13,4 @@ bool inflate_zlib(std::string_view stream, std::span<char> out) {
     return status == Z_OK && length == out.size();
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

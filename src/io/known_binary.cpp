@@ -6,7 +6,7 @@
 #include "io/readers.hpp"
 #include "io/utf16.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -170,4 +170,4 @@ bool may_hold_nul_bytes(std::string_view bytes) {
     return is_utf16(bytes) || std::any_of(readers().begin(), readers().end(), may_begin);
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The endings of the forms that fstiff reads, for messages.
 std::string readable_forms();
@@ -22,4 +22,4 @@ std::string known_binary_refusal(std::string_view bytes);
 /// Whether a reader may accept bytes that begin so, including NUL bytes: of a binary form, or of text in UTF-16.
 bool may_hold_nul_bytes(std::string_view bytes);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

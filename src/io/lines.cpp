@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 void refuse_line(const std::string& name, std::size_t line, std::initializer_list<Part> parts) {
     std::string reason;
@@ -110,4 +110,4 @@ std::vector<Line> lines_of(std::string_view text, const std::string& name, std::
     return lines;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

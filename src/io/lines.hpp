@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// A part of a sentence: text, a whole number, or a number with ten digits.
 struct Part {
@@ -77,4 +77,4 @@ struct Line {
 /// Lines that are not blank. \p count receives the number of all lines.
 std::vector<Line> lines_of(std::string_view text, const std::string& name, std::size_t& count);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/map_table.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 const NumberTable& MapTable::table(std::string_view missing) {
     if (!table_.row_lines.empty()) return table_;
@@ -93,4 +93,4 @@ std::size_t MapTable::height_column() const {
     return found.size() == 1 ? found.front() : 2;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

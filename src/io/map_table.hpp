@@ -12,7 +12,7 @@
 #include "io/matrix_axes.hpp"
 #include "io/regular_grid.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 inline constexpr TableRules map_rules{.holds = "rows of numbers"};
 
@@ -66,4 +66,4 @@ protected:
     std::vector<std::size_t> columns_;   // of the file, counted from 1, that the table holds
 };
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

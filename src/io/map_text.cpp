@@ -5,7 +5,7 @@
 #include "io/readers.hpp"
 #include "io/thousands.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -387,4 +387,4 @@ extern constexpr Reader matrix_reader{
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

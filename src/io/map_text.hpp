@@ -26,7 +26,7 @@
 
 #include "io/map_table.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 /// Reads what \p table has opened as \p form, triples or matrix; its text must outlive the call.
 /// \throws domain_error naming file, line, value and what is allowed.
@@ -38,4 +38,4 @@ namespace fstiff::io {
 [[nodiscard]] Reading read_wyko_text(std::vector<detail::Line> lines, const std::string& name,
                                      const SurfaceOptions& options);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

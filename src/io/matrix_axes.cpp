@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/matrix_axes.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 double equal_step(const std::vector<double>& positions, double printed) {
     for (const double x : positions)
@@ -116,4 +116,4 @@ void drop_axes(NumberTable& table, const MatrixAxes& axes) {
     }
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -17,7 +17,7 @@
 #include "io/column_titles.hpp"
 #include "io/regular_grid.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 struct MatrixAxes {
     double dx{}, dy{};                // steps in the unit of the axes
@@ -36,4 +36,4 @@ std::optional<MatrixAxes> axes_of(const NumberTable& table);
 /// Takes the axes out of \p table: its first column, and its first row where they have one.
 void drop_axes(NumberTable& table, const MatrixAxes& axes);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

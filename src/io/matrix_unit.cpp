@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/matrix_unit.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -97,4 +97,4 @@ MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view
             .from = "line " + std::to_string(unit->line)};
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

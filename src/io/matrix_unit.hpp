@@ -7,7 +7,7 @@
 
 #include "io/header.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 struct MatrixUnit {
     double factor{};             // [m]
@@ -20,4 +20,4 @@ struct MatrixUnit {
 MatrixUnit matrix_unit(const std::vector<HeaderEntry>& entries, std::string_view given, const std::string& name,
                        const OptionNames& names);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -24,7 +24,7 @@
 
 #include "io/file_bytes.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -97,4 +97,4 @@ extern constexpr Reader metropro_reader{.format = SurfaceFormat::metropro,
                                         .begins = is_metropro,
                                         .read = read_metropro};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

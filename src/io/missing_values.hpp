@@ -16,7 +16,7 @@
 #include "io/lines.hpp"
 #include "io/option_names.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// Mark of a missing point in addition to an empty cell and the words of is_missing_word().
 struct MissingValues {
@@ -123,4 +123,4 @@ void mark_missing(double* heights, std::size_t count, const MissingValues& missi
                  "none"});
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -27,7 +27,7 @@
 
 #include <map>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -271,4 +271,4 @@ extern constexpr Reader netcdf_reader{.format = SurfaceFormat::netcdf,
                                       .begins = is_netcdf,
                                       .read = read_netcdf};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

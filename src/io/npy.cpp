@@ -20,7 +20,7 @@
 #include "io/header.hpp"
 #include "io/missing_values.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -265,4 +265,4 @@ extern constexpr Reader npy_reader{
     .begins = is_npy,
     .read = read_by<NpyReader>};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

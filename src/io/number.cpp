@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/number.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -180,4 +180,4 @@ bool is_missing_word(std::string_view cell) {
     return (word.starts_with("nan(") && word.ends_with(')')) || is_number_of_msvc(word) || is_error_of_workbook(word);
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -127,4 +127,4 @@ private:
     double finest_ = infinite, largest_ = -infinite, significant_ = 0;
 };
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

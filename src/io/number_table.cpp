@@ -3,7 +3,7 @@
 
 #include "io/ambiguous_signs.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -370,4 +370,4 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -13,7 +13,7 @@
 #include "io/missing_values.hpp"
 #include "io/reading.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 struct Dialect {
     char separator = ' ';  // ' ' is any run of blanks and tabs
@@ -80,4 +80,4 @@ NumberTable open_table(std::string_view text, const std::string& name, const Tab
 /// Reads the rows of a table that open_table has opened.
 void read_rows(NumberTable& table, const std::string& name, const TableRules& rules);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -27,7 +27,7 @@
 
 #include "io/file_bytes.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -182,4 +182,4 @@ extern constexpr Reader opd_reader{.format = SurfaceFormat::opd,
                                    .begins = is_opd,
                                    .read = read_by<OpdReader>};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

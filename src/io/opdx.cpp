@@ -36,7 +36,7 @@
 
 #include <map>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -286,4 +286,4 @@ extern constexpr Reader opdx_reader{.format = SurfaceFormat::opdx,
                                     .begins = is_opdx,
                                     .read = read_opdx};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

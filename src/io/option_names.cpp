@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::string format_as(const OptionNames& names, const std::string& form) { return names.format + names.equals + form; }
 
@@ -29,4 +29,4 @@ std::string given_steps(const OptionNames& names) {
     return "given as " + names.prefix + "dx and " + names.prefix + "dy";
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -5,7 +5,7 @@
 
 #include <fstiff/io/surface_file.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 [[nodiscard]] std::string format_as(const OptionNames& names, const std::string& form);
 [[nodiscard]] std::string given_as(const OptionNames& names, const std::string& option, const std::string& value);
@@ -18,4 +18,4 @@ namespace fstiff::io::detail {
                                         const std::string& stated);
 [[nodiscard]] std::string given_steps(const OptionNames& names);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

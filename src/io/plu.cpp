@@ -23,7 +23,7 @@
 
 #include "io/file_bytes.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -82,4 +82,4 @@ extern constexpr Reader plu_reader{.format = SurfaceFormat::plu,
                                    .begins = is_plu,
                                    .read = read_plu};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -26,7 +26,7 @@
 #ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -113,10 +113,10 @@ private:
 
 }  // namespace
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail
 #endif
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -139,4 +139,4 @@ extern constexpr Reader plux_reader{
 #endif
 };
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

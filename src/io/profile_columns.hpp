@@ -10,7 +10,7 @@
 
 #include "io/column_titles.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The columns that were given.
 struct ColumnChoice {
@@ -46,4 +46,4 @@ std::string must_rise(const NumberTable& table, std::size_t heights, std::size_t
 /// The columns of \p table, whose rows are read. \throws domain_error naming the file \p name.
 ProfileColumns profile_columns(const NumberTable& table, const std::string& name, const ColumnChoice& choice);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -7,7 +7,7 @@
 #include "io/thousands.hpp"
 #include "io/unequal_steps.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -397,4 +397,4 @@ extern constexpr Reader profile_reader{.format = SurfaceFormat::profile,
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -25,7 +25,7 @@
 #include "io/header.hpp"
 #include "io/profile_columns.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -37,4 +37,4 @@ inline constexpr TableRules profile_rules{.holds = "one or two columns of number
 /// name. \throws domain_error naming file, line, value and what is allowed.
 [[nodiscard]] Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options);
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

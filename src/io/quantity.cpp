@@ -6,7 +6,7 @@
 
 #include <fstiff/core/error.hpp>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -114,4 +114,4 @@ double parse_angle(std::string_view text, std::string_view name) {
     return detail::finite(value / divisor.value, name, text);
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

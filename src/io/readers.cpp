@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -38,4 +38,4 @@ SurfaceFormat form_of_first_bytes(std::string_view bytes) {
     return SurfaceFormat::automatic;
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -10,7 +10,7 @@
 #include <span>
 #include <type_traits>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// A form of files, and its reader.
 struct Reader {
@@ -40,4 +40,4 @@ Reading read_by(std::string_view bytes, const std::string& name, [[maybe_unused]
         return Source(bytes, name).read();
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

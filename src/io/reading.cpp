@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 void Record::note_points(const RawMap& map, const std::string& more) {
     say_points_of_profile(map, more);
@@ -64,4 +64,4 @@ void set_spacings(RawMap& map, double dx, double dy, const std::string& name) {
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 using detail::RawMap;
 
@@ -58,4 +58,4 @@ void set_spacings(RawMap& map, double dx, double dy, const std::string& name);
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

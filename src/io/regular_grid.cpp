@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/regular_grid.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::optional<GridAxis> axis_of(std::vector<double> positions, double printed) {
     std::sort(positions.begin(), positions.end());
@@ -85,4 +85,4 @@ std::vector<double> heights_on(const Grid& grid, const NumberTable& table, const
     return heights;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -8,7 +8,7 @@
 
 #include "io/number_table.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// Equally spaced positions, some of which may be missing.
 struct GridAxis {
@@ -36,4 +36,4 @@ std::size_t points_on(const Grid& grid, const NumberTable& table);
 /// \throws domain_error when two rows are of one point.
 std::vector<double> heights_on(const Grid& grid, const NumberTable& table, const std::string& name);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -31,7 +31,7 @@
 #include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -338,4 +338,4 @@ extern constexpr Reader sdf_reader{.format = SurfaceFormat::sdf,
                                    .mark = 8,
                                    .may_begin = may_be_sdf};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -30,7 +30,7 @@
 
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -317,4 +317,4 @@ extern constexpr Reader smd_reader{.format = SurfaceFormat::smd,
                                    .begins = is_smd,
                                    .read = read_by<SmdReader>};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -23,7 +23,7 @@
 #include "io/option_names.hpp"
 #include "io/regular_grid.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -219,4 +219,4 @@ extern constexpr Reader stl_reader{.format = SurfaceFormat::stl,
                                    .mark = 0,
                                    .may_begin = may_be_stl};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -33,7 +33,7 @@
 
 #include <fstiff/io/units.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -241,4 +241,4 @@ extern constexpr Reader sur_reader{
 #endif
     }};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

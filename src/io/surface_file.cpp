@@ -9,7 +9,7 @@
 
 #include <tuple>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -215,4 +215,4 @@ ReadSurface read(const std::filesystem::path& path, const SurfaceOptions& option
 
 }  // namespace detail
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

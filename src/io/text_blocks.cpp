@@ -4,7 +4,7 @@
 #include "io/option_names.hpp"
 #include "io/unit_table.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -323,4 +323,4 @@ void note_channels(Record& record, const ChosenBlock& chosen) {
     record.note("other channels", chosen.others + ", not read");
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

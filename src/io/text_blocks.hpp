@@ -18,7 +18,7 @@
 
 #include "io/header.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// One table of numbers with its header.
 struct TextBlock {
@@ -41,4 +41,4 @@ ChosenBlock chosen_block(std::vector<TextBlock> blocks, const std::string& name,
 /// States which block was read, and which were not, where there are several.
 void note_channels(Record& record, const ChosenBlock& chosen);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -158,4 +158,4 @@ void refuse_thousands(const NumberTable& table, const std::vector<std::size_t>& 
                          table.names.prefix.empty() ? "\"none\"" : "none"});
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -15,7 +15,7 @@
 
 #include "io/number_table.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// \p text without the separators of thousands that \p given names: "," "." "'" or " "; as it is for "" and "none".
 /// \throws domain_error for another name, and for a row of numbers in which that character does something else too.
@@ -27,4 +27,4 @@ std::string without_thousands(std::string text, const std::string& given, const 
 void refuse_thousands(const NumberTable& table, const std::vector<std::size_t>& columns, bool together,
                       const std::string& name);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

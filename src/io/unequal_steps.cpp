@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 std::vector<double> steps_of(const std::vector<double>& x) {
     std::vector<double> steps(x.size() - 1);
@@ -42,4 +42,4 @@ std::vector<double> at_equal_steps(const std::vector<double>& heights, const std
     return even;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// The steps between the positions \p x, one fewer.
 std::vector<double> steps_of(const std::vector<double>& x);
@@ -23,4 +23,4 @@ bool is_interrupted(const std::vector<double>& x, double printed);
 /// where one of them is.
 std::vector<double> at_equal_steps(const std::vector<double>& heights, const std::vector<double>& x);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

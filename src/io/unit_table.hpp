@@ -10,7 +10,7 @@
 #include <array>
 #include <numbers>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 struct Unit {
     Dimension dimension;
@@ -200,4 +200,4 @@ bool measures_no_length(std::string_view text);
 
 const Unit& require_unit(std::string_view text, Dimension dimension);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

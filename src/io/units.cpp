@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -180,4 +180,4 @@ std::string accepted_units(Dimension dimension) {
     return list;
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

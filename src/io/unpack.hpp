@@ -11,7 +11,7 @@
 #include <functional>
 #include <span>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// Inflates a zlib stream into exactly as many bytes, or returns false.
 using Inflate = std::function<bool(std::string_view stream, std::span<char> out)>;
@@ -29,4 +29,4 @@ using Unzip = std::function<std::string(std::string_view archive, std::string_vi
 /// \throws domain_error naming file, field, value and what is allowed.
 [[nodiscard]] Reading read_vk4(std::string_view bytes, const std::string& name, const Unzip& unzip = {});
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// Whether \p bytes begin with a byte order mark of UTF-16.
 bool is_utf16(std::string_view bytes);
@@ -20,4 +20,4 @@ bool is_utf16(std::string_view bytes);
 /// character.
 std::optional<std::string> utf8_of_utf16(std::string_view bytes, std::size_t& wrong);
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

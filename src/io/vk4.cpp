@@ -28,7 +28,7 @@
 #include "io/unpack.hpp"
 #include "io/zip_archive.hpp"
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -138,4 +138,4 @@ extern constexpr Reader vk4_reader{
 #endif
     }};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

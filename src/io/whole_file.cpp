@@ -12,7 +12,7 @@
 #include <cerrno>
 #endif
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 #ifndef _WIN32
 namespace {
@@ -77,4 +77,4 @@ bool append_file(const std::filesystem::path& path, const std::string& name, std
     return true;
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

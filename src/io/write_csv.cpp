@@ -10,7 +10,7 @@
 #include <cmath>
 #include <ostream>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -66,4 +66,4 @@ void write_csv(std::ostream& output, const HeightMap<double>& map, MapForm form)
     detail::put_text(output, text);
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <ostream>
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 namespace detail {
 
@@ -110,4 +110,4 @@ void write_sdf(std::ostream& output, const Profile<double>& profile, const SdfOp
                     options);
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

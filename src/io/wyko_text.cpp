@@ -21,7 +21,7 @@
 #include "io/lines.hpp"
 #include "io/text_blocks.hpp"
 
-namespace fstiff::io {
+namespace fstiff::inline v0_1::io {
 
 bool is_wyko_text(std::string_view line) { return line.starts_with("Wyko ASCII Data File"); }
 
@@ -189,4 +189,4 @@ Reading read_wyko_text(std::vector<detail::Line> lines, const std::string& name,
     return found;
 }
 
-}  // namespace fstiff::io
+}  // namespace fstiff::inline v0_1::io

@@ -29,7 +29,7 @@
 #ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -355,10 +355,10 @@ private:
 
 }  // namespace
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail
 #endif
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -380,4 +380,4 @@ extern constexpr Reader x3p_reader{.format = SurfaceFormat::x3p,
 #endif
                                    .may_begin = [](std::string_view bytes) { return bytes.starts_with("PK"); }};
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

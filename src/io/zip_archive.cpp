@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
@@ -204,4 +204,4 @@ std::string ZipArchive::content_of(std::string_view entry) const {
     return content(*index);
 }
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fstiff::io::detail {
+namespace fstiff::inline v0_1::io::detail {
 
 /// A zip archive in memory. The bytes must outlive it.
 class ZipArchive {
@@ -62,4 +62,4 @@ private:
     std::vector<Entry> entries_;
 };
 
-}  // namespace fstiff::io::detail
+}  // namespace fstiff::inline v0_1::io::detail

@@ -3,6 +3,7 @@
 // of what is known makes a small change of K.
 #include <fstiff/answer/answer.hpp>
 
+#include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ std::vector<double> pressures_of(const Joint& joint) {
 
 /// K of \p joint under \p pressure.
 double stiffness_of(const Joint& joint, double pressure) {
-    return answer(joint, std::vector<double>{pressure}, {.samples = 0}).points[0].stiffness.value;
+    return answer(joint, pressure, {.samples = 0}).stiffness.value;
 }
 
 void check_rise(int joints) {
@@ -125,6 +126,27 @@ void check_little_changes(int joints) {
 }
 
 }  // namespace
+
+TEST_CASE("Pressures are one number, numbers in braces, a vector of the standard library or one of Eigen") {
+    const Joint joint{.face = {.rms_height = 0.5e-6, .rms_gradient = 0.1}, .effective_modulus = 112.6e9};
+    const AnswerOptions options{.samples = 40};
+    const std::vector pressures{1e6, 1e7};
+    const Answer all = answer(joint, pressures, options);
+    const auto is_same = [&](const Answer& other) {
+        return other.points.size() == 2 && other.points[0].stiffness.low == all.points[0].stiffness.low &&
+               other.points[1].stiffness.high == all.points[1].stiffness.high;
+    };
+    CHECK(is_same(answer(joint, {1e6, 1e7}, options)));
+    CHECK(is_same(answer(joint, Eigen::Vector2d(1e6, 1e7), options)));
+    CHECK(answer(joint, {1e7}, options).points.size() == 1);
+    CHECK(answer(joint, 1e7, {.samples = 0}).stiffness.value == all.points[1].stiffness.value);
+    CHECK(answer(joint, 1e7, options).pressure == 1e7);
+    CHECK(test::refused_for("pressure", [&] { (void)answer(joint, -1.0); }));
+    // one that the law does not reach, which among others would be a point without K
+    const Joint soft{.face = joint.face, .upper = {.hardness = 1e9}, .effective_modulus = 112.6e9};
+    CHECK(answer(soft, {1e6, 2e9}, options).points[1].reason ==
+          test::refusal([&] { (void)answer(soft, 2e9, options); }));
+}
 
 TEST_CASE("K, its ends, the loading stiffness and the approach of 100 random joints rise with the pressure") {
     check_rise(100);

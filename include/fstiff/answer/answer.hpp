@@ -20,11 +20,16 @@
 #include <fstiff/answer/chosen_law.hpp>
 #include <fstiff/answer/concern.hpp>
 #include <fstiff/answer/joint.hpp>
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/topography/edges.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -123,6 +128,21 @@ struct Answer {
 /// K of \p joint under \p pressures [Pa], at least one, each above 0.
 /// \throws domain_error naming the member of the joint, or where no law answers.
 [[nodiscard]] Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options = {});
+/// K and what follows from it at one pressure. \throws domain_error as the above, and where the point has no K.
+[[nodiscard]] inline AnswerPoint answer(const Joint& joint, double pressure, const AnswerOptions& options = {}) {
+    AnswerPoint point = answer(joint, std::span(&pressure, 1), options).points.front();
+    if (!point.ok()) throw domain_error(point.reason);
+    return point;
+}
+/// Pressures in braces, or of Eigen.
+[[nodiscard]] inline Answer answer(const Joint& joint, std::initializer_list<double> pressures,
+                                   const AnswerOptions& options = {}) {
+    return answer(joint, std::span(pressures.begin(), pressures.size()), options);
+}
+[[nodiscard]] inline Answer answer(const Joint& joint, const Eigen::Ref<const Eigen::VectorXd>& pressures,
+                                   const AnswerOptions& options = {}) {
+    return answer(joint, std::span(pressures.data(), static_cast<std::size_t>(pressures.size())), options);
+}
 
 /// The contact of \p joint by \p law, of the first of its distributions of peaks. The contact keeps what it is made of.
 /// \throws domain_error naming the member of the joint that the law needs.

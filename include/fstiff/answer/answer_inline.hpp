@@ -13,13 +13,15 @@
 #include <fstiff/answer/concerns_inline.hpp>
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/curves_inline.hpp>
-#include <fstiff/answer/derived.hpp>
+#include <fstiff/answer/derived_inline.hpp>
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/face_inline.hpp>
 #include <fstiff/answer/lacks.hpp>
+#include <fstiff/answer/lacks_inline.hpp>
 #include <fstiff/answer/law_rows_inline.hpp>
 #include <fstiff/answer/quick_hybrids_inline.hpp>
 #include <fstiff/answer/request.hpp>
+#include <fstiff/answer/request_inline.hpp>
 #include <fstiff/answer/resolve.hpp>
 #include <fstiff/answer/resolve_inline.hpp>
 #include <fstiff/answer/resolved_joint_inline.hpp>

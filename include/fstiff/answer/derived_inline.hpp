@@ -5,6 +5,7 @@
 
 #include <fstiff/answer/derived.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
+#include <fstiff/tabulated/tangential_law.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>

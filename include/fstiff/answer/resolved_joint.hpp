@@ -73,6 +73,8 @@ void take_bodies(const Body& upper, const Body& lower, const std::optional<doubl
 /// The indentation hardness of the softer body [Pa], of its yield strength where that alone is known, or assumed;
 /// infinite: it never yields.
 [[nodiscard]] double hardness_of(const ResolvedJoint& problem);
+/// As the laws take it: 0 where it follows from the yield strength, infinite nowhere.
+[[nodiscard]] double hardness_of_material(const ResolvedJoint& problem);
 /// H/(E g), of the softer body and the surface; none where the gradient is not known, and of a body that never yields.
 [[nodiscard]] std::optional<double> relative_hardness(const ResolvedJoint& problem);
 /// Whether K of \p law is that of yielded spots.

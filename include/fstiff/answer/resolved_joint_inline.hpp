@@ -124,7 +124,6 @@ FSTIFF_INLINE double hardness_of(const ResolvedJoint& problem) {
     return problem.hardness.value_or(detail::hardness_over_yield_strength<double> * problem.yield_strength.value_or(0));
 }
 
-/// As the laws take it: 0 where it follows from the yield strength, infinite nowhere.
 FSTIFF_INLINE double hardness_of_material(const ResolvedJoint& problem) {
     const double hardness = problem.hardness_range ? problem.hardness_range->middle : problem.hardness.value_or(0);
     return std::isfinite(hardness) ? hardness : 0;
