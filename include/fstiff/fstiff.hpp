@@ -143,6 +143,7 @@
 #include <fstiff/measure/cut_offs.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/height_sums.hpp>
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/measure.hpp>
 #include <fstiff/measure/measurement.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A lay is found in profiles and maps that have one, and in few that do not.
 #include <fstiff/measure/concerns.hpp>
-#include <fstiff/measure/plain_form.hpp>
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 

@@ -2,6 +2,7 @@
 // measure() against its steps taken by hand; tests/scene/one_measurement_test.cpp holds the command, C and Python to
 // it.
 #include <fstiff/fstiff.hpp>
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/profile/levelled_profile.hpp>

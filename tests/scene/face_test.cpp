@@ -4,6 +4,7 @@
 
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/measured_map.hpp>
+#include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/map_spectrum.hpp>

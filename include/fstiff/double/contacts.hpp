@@ -7,6 +7,7 @@
 
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/models.hpp>

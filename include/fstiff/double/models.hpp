@@ -6,15 +6,20 @@
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
+#include <fstiff/contact/hand_over.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
+#include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/identify/identify.hpp>
+#include <fstiff/surface/band_spectrum.hpp>
+#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/tabulated/law_tabulator.hpp>
+#include <fstiff/topography/gaussian_order.hpp>
 
 namespace fstiff { inline namespace v0_1 {
 

@@ -108,5 +108,4 @@ FSTIFF_DOUBLE Profile<double> detail::detrend(const Profile<double>&, Form);
 FSTIFF_DOUBLE class detail::LineFitter<double>;
 FSTIFF_DOUBLE class BearingSlope<double>;
 
-
 }}  // namespace fstiff

@@ -8,6 +8,7 @@
 /// Units       none: slopes, ratios and counts
 /// Valid       results of fit_fractal(), fit_spectrum() and surface_parameters()
 
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/power_spectrum.hpp>
@@ -25,7 +26,7 @@ namespace fstiff { inline namespace v0_1 {
 ///                          to some ten times as long
 ///     spectrum_differs     D of the power spectrum differs by 0.1 and by three standard deviations
 ///     anisotropic          a map differs along x and y; the models assume isotropy
-///     lay                  a profile repeats itself, or Str of a map is below 0.3 (measure/plain_form.hpp): a profile
+///     lay                  a profile repeats itself, or Str of a map is below 0.3 (measure/lay.hpp): a profile
 ///                          does not contain the length of the ridges, and K may be 20 times higher
 ///     long_waves           at least three quarters of the mean square height are in waves longer than an eighth of the
 ///                          surface: sigma is valid for this length

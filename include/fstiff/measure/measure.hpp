@@ -32,6 +32,11 @@
 #include <fstiff/measure/concerns.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/prepare.hpp>
+#include <fstiff/measure/roughness_cut_off.hpp>
+#include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/profile/autocorrelation.hpp>
+#include <fstiff/profile/levelled_profile.hpp>
+#include <fstiff/profile/profile_form.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -326,9 +331,4 @@ Surface<T> measure(const HeightMap<T>& map, const MeasureOptions<T>& options) {
 
 #ifdef FSTIFF_COMPILED  // in fstiff::double, with all that a measurement consists of
 #include <fstiff/double/surfaces.hpp>
-#include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
-#include <fstiff/profile/profile_form.hpp>
 #endif

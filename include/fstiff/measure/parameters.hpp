@@ -18,6 +18,7 @@
 
 #include <fstiff/core/names.hpp>
 #include <fstiff/measure/height_sums.hpp>
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/uncertain_surface.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>

@@ -3,7 +3,7 @@
 /// \file
 /// lambda_c of a profile from the table of the standards (measure/cut_offs), by the roughness itself.
 ///
-///     periodic: the row of RSm, where 2 lambda_c <= length; RSm is the period (measure/plain_form.hpp) of the profile,
+///     periodic: the row of RSm, where 2 lambda_c <= length; RSm is the period (measure/lay.hpp) of the profile,
 ///     or of the profile without the waves above the longest lambda_c that fits five times
 ///     else the row: the first whose Ra, measured with its own lambda_c, is in its range
 ///     among those that the profile can contain: 5 lambda_c <= length, 5 steps <= lambda_c, 30 lambda_s <= lambda_c
@@ -17,6 +17,7 @@
 /// Accuracy    that of gaussian_roughness() (tests/measure/roughness_cut_off_test.cpp)
 
 #include <fstiff/measure/cut_offs.hpp>
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 
 #include <algorithm>

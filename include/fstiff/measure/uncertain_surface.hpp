@@ -18,6 +18,7 @@
 #include <fstiff/math/decompositions.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
+#include <fstiff/measure/lay.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/measurement.hpp>
 #include <fstiff/measure/plain_form.hpp>
