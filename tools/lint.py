@@ -361,7 +361,7 @@ def api(root, update=False):
                 codes[name] = codes.get(name, "") + code
     for (header, name), meaning in found.items():
         first = re.match(r"\w*", meaning)[0]
-        if first and re.search(rf"\b(?:class|typename|concept|Contact<T>|[\w:>&*]) ?&?{first}\b *[,)>=]", codes[name.removeprefix("io::")]):
+        if first and re.search(rf"[\w>&*] {first} *[,)>=]", codes[name.removeprefix("io::")]):
             problems.append(f"{header}: {name}: its comment begins with the parameter {first}: say what it is first")
     problems += [f"{header}: {name} is public and has no comment" for (header, name), meaning in found.items() if not meaning]
     problems += [f"{name} is public, and neither a page nor an example leads to it: put it into detail, or describe it" for name in unmet(root, codes)]

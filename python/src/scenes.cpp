@@ -2,11 +2,11 @@
 // Scenes: their curves as columns, their contacts, their laws for other programs, and parameters of measured curves.
 #include "given.hpp"
 
+#include "actions/compute.hpp"
 #include "actions/export.hpp"
 #include "actions/identify.hpp"
 #include "actions/measure.hpp"
 #include "actions/one_contact.hpp"
-#include "actions/compute.hpp"
 #include "actions/run.hpp"
 #include "actions/ultrasound.hpp"
 

@@ -2,11 +2,11 @@
 // Answers of commands to requests, as documents.
 #include "c/measure.hpp"
 
+#include "actions/compute.hpp"
 #include "actions/export.hpp"
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
 #include "actions/peak_density.hpp"
-#include "actions/compute.hpp"
 #include "actions/run.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/ultrasound.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hybrid and plastic of numbers and traces with a bearing curve. Truth: the Gaussian law, the library's hybrid_of_band,
 // and the same surface written in another way.
+#include "actions/compute.hpp"
 #include "actions/measure.hpp"
 #include "actions/one_contact.hpp"
-#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "scene/scene.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
-#include "actions/compute.hpp"
 #include "actions/results.hpp"
+#include "actions/compute.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"

@@ -3,10 +3,10 @@
 // Work of the command on a file or a scene, done by the library in this process: options as they are written on a
 // command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
 // CMake.
+#include "actions/compute.hpp"
 #include "actions/fractal.hpp"
 #include "actions/islands.hpp"
 #include "actions/measure.hpp"
-#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "actions/run.hpp"
 #include "surface/measured_surface.hpp"

@@ -2,9 +2,9 @@
 // Lines of results. Truth: every scene of the grid read from its own table and computed by itself.
 #include "sweep/lines.hpp"
 
+#include "actions/compute.hpp"
 #include "scene/readers.hpp"
 #include "support/catch.hpp"
-#include "actions/compute.hpp"
 #include "sweep/scene_table.hpp"
 
 #include <nlohmann/json.hpp>

@@ -23,7 +23,6 @@
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
 #include <fstiff/topography/edges.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <Eigen/Core>
 

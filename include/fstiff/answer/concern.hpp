@@ -3,7 +3,6 @@
 /// \file
 /// Reasons to doubt a result: each with its numbers and its limit. answer/checks.hpp makes them.
 
-#include <fstiff/answer/face.hpp>
 #include <fstiff/core/numbers.hpp>
 
 #include <array>

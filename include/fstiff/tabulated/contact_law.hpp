@@ -335,12 +335,9 @@ private:
             for (std::size_t n = 0; n < N; ++n) out[n][i] = values[n];
         }
     }
-    static ContactLaw of_model(std::shared_ptr<const detail::LawModel<T>> model, const LawRange<T>& range) {
-        ContactLaw law;
-        law.tables_ = detail::tables_of(*model, range.min_pressure, range.max_pressure);
-        law.tables_.outside = range.outside;
-        if (range.outside != OutsideRange::exact) return law;
-        law.exact_ = [model = std::move(model)](T x, bool is_pressure) {
+    /// The contact itself, for OutsideRange::exact.
+    static std::function<Exact(T, bool)> exact_of(std::shared_ptr<const detail::LawModel<T>> model) {
+        return [model = std::move(model)](T x, bool is_pressure) {
             const T ratio = model->stiffness_over_slope;
             const Quantity quantities = Quantity::stiffness | Quantity::pressure |
                                         (ratio != T(0) ? Quantity::none : Quantity::loading_stiffness);
@@ -348,7 +345,6 @@ private:
             return Exact{state.separation.value, state.pressure.value, state.stiffness.value,
                          ratio != T(0) ? state.stiffness.value / ratio : state.loading_stiffness.value};
         };
-        return law;
     }
     detail::LawTables<T> tables_;
     std::function<Exact(T, bool)> exact_;  ///< at a pressure, or at a separation
@@ -361,7 +357,13 @@ ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& r
     detail::require(
         contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
         "none or effective_separation for a tabulated law (as_printed is not a function of one separation)");
-    return of_model(std::make_shared<const detail::LawModelOf<T, Model>>(contact), range);
+    const detail::LawModelOf<T, Model> model(contact);
+    ContactLaw law;
+    law.tables_ = detail::tables_of(model, range.min_pressure, range.max_pressure);
+    law.tables_.outside = range.outside;
+    if (range.outside == OutsideRange::exact)
+        law.exact_ = exact_of(std::make_shared<const detail::LawModelOf<T, Model>>(model));
+    return law;
 }
 
 }}  // namespace fstiff
