@@ -357,12 +357,12 @@ ContactLaw<T> ContactLaw<T>::tabulate(const Model& contact, const LawRange<T>& r
     detail::require(
         contact.interaction().reading != InteractionReading::as_printed, "interaction", T(2),
         "none or effective_separation for a tabulated law (as_printed is not a function of one separation)");
-    const detail::LawModelOf<T, Model> model(contact);
     ContactLaw law;
-    law.tables_ = detail::tables_of(model, range.min_pressure, range.max_pressure);
+    law.tables_ =
+        detail::tables_of(detail::LawModelOf<T, const Model&>(contact), range.min_pressure, range.max_pressure);
     law.tables_.outside = range.outside;
     if (range.outside == OutsideRange::exact)
-        law.exact_ = exact_of(std::make_shared<const detail::LawModelOf<T, Model>>(model));
+        law.exact_ = exact_of(std::make_shared<const detail::LawModelOf<T, Model>>(contact));
     return law;
 }
 

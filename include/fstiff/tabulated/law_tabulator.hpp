@@ -38,8 +38,11 @@ struct LawModel {
     bool has_kinks{};
 };
 
-template <Real T, class Contact>
+/// \p Held is a contact, or a reference to one that lives as long.
+template <Real T, class Held>
 struct LawModelOf final : LawModel<T> {
+    using Contact = std::remove_cvref_t<Held>;
+
     explicit LawModelOf(const Contact& contact) : contact_(contact) {
         this->rms_height = contact.rms_height();
         this->bulk_compliance = contact.bulk_compliance();
@@ -56,7 +59,7 @@ struct LawModelOf final : LawModel<T> {
     Estimate<T> log_stiffness(T eta) const override { return contact_.log_stiffness(eta); }
 
 private:
-    Contact contact_;
+    Held contact_;
 };
 
 /// The work of ContactLaw::tabulate, in the order of its functions.
