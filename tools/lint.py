@@ -573,9 +573,9 @@ class Snippets:
     def check(self):
         checked = count = 0
         printed = None  # by a program, and shown by no ```text block yet
-        edits, text = [], read(self.document)
-        if mark := "/// " * (self.document.suffix == ".hpp"):
-            text = re.sub("(?m)^/// ?", "", text)
+        edits, whole = [], read(self.document)
+        mark = "/// " * (self.document.suffix == ".hpp")
+        text = re.sub("(?m)^/// ?", "", whole) if mark else whole
         found = list(enumerate(blocks(text), 1))
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as compilers:  # what takes longest is done at once
             programs = {count: compilers.submit(self.compile, f"snippet_{count}", body)
@@ -593,7 +593,7 @@ class Snippets:
                 continue
             checked += 1
             edits += [(line, body, new)] * (new != body)
-        shown = read(self.document).split("\n")
+        shown = whole.split("\n")
         for line, body, new in reversed(edits):
             shown[line:line + body.count("\n") + bool(body)] = [(mark + one).rstrip() if mark else one for one in new.split("\n")]
         if edits:
