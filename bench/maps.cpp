@@ -20,7 +20,6 @@
 #include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 

@@ -11,7 +11,6 @@
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/derived.hpp>
 #include <fstiff/asperity/named_materials.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>

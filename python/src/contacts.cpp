@@ -7,9 +7,7 @@
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
-#include <fstiff/contact/contact.hpp>
 #include <fstiff/double/integrals.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 

@@ -3,11 +3,9 @@
 
 #include "document/shown_unit.hpp"
 
-#include <fstiff/answer/band_parts.hpp>
 #include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/face.hpp>
-#include <fstiff/asperity/hardness.hpp>
 
 #include <algorithm>
 #include <array>

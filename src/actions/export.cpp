@@ -4,7 +4,6 @@
 #include "actions/contact_cards.hpp"
 #include "document/file.hpp"
 
-#include <fstiff/answer/derived.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantities.hpp>
 #include <fstiff/io/units.hpp>

@@ -7,7 +7,6 @@
 #include "io/number.hpp"
 
 #include <fstiff/answer/concerns.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 

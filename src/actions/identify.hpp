@@ -10,8 +10,6 @@
 #include <fstiff/answer/law_fits.hpp>
 #include <fstiff/identify/concerns.hpp>
 #include <fstiff/identify/identify.hpp>
-#include <fstiff/profile/profile_form.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <array>
 #include <optional>

@@ -5,7 +5,6 @@
 #include "actions/measure.hpp"
 
 #include <fstiff/measure/concerns.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
 
 #include <algorithm>
 

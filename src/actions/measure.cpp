@@ -7,8 +7,6 @@
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
 #include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include <cmath>
 #include <utility>

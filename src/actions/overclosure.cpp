@@ -11,7 +11,6 @@
 #include <fstiff/answer/derived.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,6 @@
 
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/io/quantities.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
-#include <fstiff/profile/profile_form.hpp>
 #include "actions/measure.hpp"
 
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/peaks/peak_distribution.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
 
 #include <optional>

@@ -5,7 +5,6 @@
 #include "actions/measure.hpp"
 
 #include <fstiff/answer/checks.hpp>
-#include <fstiff/asperity/tangential_ratio.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,18 +4,11 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
-#include <fstiff/answer/request.hpp>
 #include <fstiff/asperity/material.hpp>
-#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <span>
-#include <string_view>
-#include <utility>
 
 namespace fstiff::actions {
 

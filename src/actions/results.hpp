@@ -11,7 +11,6 @@
 #include "scene/scene.hpp"
 
 #include <fstiff/answer/ball.hpp>
-#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/core/parallel.hpp>
 
 #include <cstddef>

@@ -3,7 +3,6 @@
 #include "actions/measure.hpp"
 
 #include <fstiff/double/surfaces.hpp>
-#include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 
 #include <span>

@@ -5,11 +5,7 @@
 
 #include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/derived.hpp>
-#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/core/version.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "surface/surface_option_table.hpp"
 
 #include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/surface/spectrum.hpp>
 
 #include <cstddef>

@@ -7,7 +7,6 @@
 #include <fstiff/answer/answer_curve.hpp>
 #include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <string_view>

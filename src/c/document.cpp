@@ -14,8 +14,6 @@
 #include "request/values.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/contact/load_weighted.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

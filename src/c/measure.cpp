@@ -3,8 +3,6 @@
 #include "c/measure.hpp"
 
 #include <fstiff/measure/height_shape.hpp>
-#include <fstiff/profile/profile_form.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <cmath>
 #include <string>

@@ -5,7 +5,6 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/text.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include <cmath>
 #include <ostream>

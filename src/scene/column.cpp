@@ -3,7 +3,6 @@
 
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/derived.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <array>

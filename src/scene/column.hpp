@@ -6,10 +6,8 @@
 #include "scene/scene.hpp"
 
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/derived.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/peaks/quantity.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <cstddef>
 #include <span>

@@ -5,7 +5,6 @@
 
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/resolve.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/resolve.hpp>
 #include <fstiff/profile/profile_form.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 
 #include <algorithm>

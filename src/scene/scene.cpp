@@ -7,7 +7,6 @@
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/lacks.hpp>
 #include <fstiff/answer/request.hpp>
-#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 
 #include <algorithm>

@@ -3,8 +3,6 @@
 
 #include "document/shown_unit.hpp"
 
-#include <fstiff/profile/levelled_profile.hpp>
-
 #include <algorithm>
 #include <cmath>
 

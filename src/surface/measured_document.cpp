@@ -5,8 +5,6 @@
 #include "document/file.hpp"
 
 #include <fstiff/measure/unmeasured_waves.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 #include <nlohmann/json.hpp>
 
 namespace fstiff::surface {

@@ -7,7 +7,6 @@
 
 #include <fstiff/measure/pooled_surface.hpp>
 #include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include <algorithm>
 #include <charconv>

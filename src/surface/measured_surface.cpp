@@ -6,12 +6,6 @@
 #include "document/shown_unit.hpp"
 
 #include <fstiff/answer/band.hpp>
-#include <fstiff/measure/lay.hpp>
-#include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
-#include <fstiff/profile/profile_form.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -7,7 +7,6 @@
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/measure/options.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include <optional>
 #include <string>

@@ -6,7 +6,6 @@
 
 #include <fstiff/core/version.hpp>
 #include <fstiff/io/quantities.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <array>
 #include <cmath>

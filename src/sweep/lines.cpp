@@ -6,7 +6,6 @@
 #include "document/file.hpp"
 #include "document/json.hpp"
 
-#include <fstiff/answer/request.hpp>
 #include <fstiff/core/text.hpp>
 
 #include <algorithm>

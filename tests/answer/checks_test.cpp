@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: states written by hand, whose checks can be read off; the formulas of the header, computed here once more.
 #include <fstiff/answer/checks.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

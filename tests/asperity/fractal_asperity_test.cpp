@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One asperity of a fractal surface: each equation against its other form, wider arithmetic, a derivative.
 #include <fstiff/asperity/fractal_asperity.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -9,7 +9,6 @@
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile_form.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>

@@ -3,7 +3,6 @@
 #include "command.hpp"
 
 #include <fstiff/core/text.hpp>
-#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <algorithm>

@@ -12,7 +12,6 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/profile/profile_form.hpp>
 #include <fstiff/profile/roughness_parameters.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/areal_autocorrelation.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/map_spectrum.hpp>

@@ -6,7 +6,6 @@
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>

@@ -5,8 +5,6 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
-#include <fstiff/profile/profile_form.hpp>
-
 namespace header_test {
 
 using namespace fstiff;

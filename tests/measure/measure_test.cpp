@@ -4,7 +4,6 @@
 #include <fstiff/fstiff.hpp>
 #include <fstiff/measure/lay.hpp>
 #include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile_form.hpp>
 

@@ -2,7 +2,6 @@
 // Truth: closed forms.
 #include <fstiff/math/random.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include "support/accuracy.hpp"

@@ -2,7 +2,6 @@
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/profile/profile_form.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
 #include <fstiff/topography/areal_statistics.hpp>

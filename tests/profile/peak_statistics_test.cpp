@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/profile/peak_statistics.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/profile/power_spectrum.hpp>
-#include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

@@ -6,9 +6,6 @@
 
 #include "support/library.hpp"
 
-#include <fstiff/answer/band_parts.hpp>
-#include <fstiff/asperity/hardness.hpp>
-
 #include <cmath>
 
 namespace answer_test {

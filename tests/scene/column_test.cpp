@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <fstiff/wave/uncertain_reflection.hpp>
-
 #include <cmath>
 #include <limits>
 

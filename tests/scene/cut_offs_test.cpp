@@ -5,7 +5,6 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile_form.hpp>

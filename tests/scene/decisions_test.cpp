@@ -6,8 +6,6 @@
 
 #include "actions/overclosure.hpp"
 
-#include <fstiff/asperity/hardness.hpp>
-
 #include <cmath>
 #include <numbers>
 

@@ -7,7 +7,6 @@
 #include "support/catch.hpp"
 #include "support/library.hpp"
 
-#include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/tabulated/contact_law.hpp>

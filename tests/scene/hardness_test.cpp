@@ -7,7 +7,6 @@
 #include "support/library.hpp"
 
 #include <fstiff/answer.hpp>
-#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/halfspace/truth.hpp>
 
 #include <cmath>

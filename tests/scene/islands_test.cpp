@@ -3,7 +3,6 @@
 #include "support/library.hpp"
 
 #include <fstiff/io/surface_file.hpp>
-#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/topography/form.hpp>
 #include <fstiff/topography/island_spread.hpp>
 

@@ -4,7 +4,6 @@
 
 #include "support/library.hpp"
 
-#include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
@@ -12,7 +11,6 @@
 #include <fstiff/surface/material_ratio.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,6 @@
 #include "actions/results.hpp"
 
 #include <fstiff/answer/face.hpp>
-#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/halfspace/truth.hpp>

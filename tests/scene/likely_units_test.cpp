@@ -6,7 +6,6 @@
 #include "support/library.hpp"
 
 #include <fstiff/asperity/named_materials.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,13 +2,10 @@
 // What is measured of a file, as a document and as the surface of a scene; the band of K of both.
 #include "support/library.hpp"
 
-#include <fstiff/answer/concerns.hpp>
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/measure/parameters.hpp>
-#include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile_form.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <cmath>

@@ -9,8 +9,6 @@
 #include "support/catch.hpp"
 #include "support/skip.hpp"
 
-#include <fstiff/profile/profile_form.hpp>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

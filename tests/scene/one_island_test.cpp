@@ -3,7 +3,6 @@
 #include "support/library.hpp"
 
 #include <fstiff/halfspace/truth.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include <cmath>
 

@@ -12,8 +12,6 @@
 #include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #ifdef FSTIFF_TEST_HAS_C
 #include <fstiff.h>
 #endif

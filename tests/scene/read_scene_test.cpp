@@ -12,11 +12,9 @@
 #include "document/shown_unit.hpp"
 
 #include <fstiff/answer/face.hpp>
-#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/io/write.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/half_space_maps.hpp"

@@ -12,9 +12,6 @@
 
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/profile/autocorrelation.hpp>
-#include <fstiff/profile/profile_form.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <algorithm>
 #include <cmath>

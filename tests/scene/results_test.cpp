@@ -11,8 +11,6 @@
 #include "actions/run.hpp"
 #include "document/file.hpp"
 
-#include <fstiff/asperity/hardness.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,7 +6,6 @@
 #include <fstiff/core/text.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/profile/profile_form.hpp>
 
 #include <cmath>
 

@@ -2,8 +2,6 @@
 // Several files of one surface, pooled, and from = ["a", "b"] of a scene.
 #include "support/library.hpp"
 
-#include <fstiff/profile/profile_form.hpp>
-
 #include <cmath>
 
 namespace several_files_test {

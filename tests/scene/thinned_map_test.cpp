@@ -10,7 +10,6 @@
 #include "support/skip.hpp"
 
 #include <fstiff/io/write.hpp>
-#include <fstiff/profile/profile_form.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <algorithm>

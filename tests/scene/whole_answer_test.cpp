@@ -6,8 +6,6 @@
 #include "support/csv.hpp"
 #include "support/library.hpp"
 
-#include <fstiff/asperity/hardness.hpp>
-
 #include <cmath>
 
 namespace whole_answer_test {

@@ -3,7 +3,6 @@
 // The three surfaces of the paper, Tables 1 and 2, and their counterface: Buczkowski, Kleiber, Starzynski,
 // Arch. Mech. 66 (2014). The scenes of data/ and python/fstiff/_paper.py hold the same numbers once more.
 #include <fstiff/surface/moments.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <array>
 #include <stdexcept>

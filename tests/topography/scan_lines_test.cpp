@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/math/random.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/topography/scan_lines.hpp>
 
 #include <fstiff/contact/hybrid_contact.hpp>

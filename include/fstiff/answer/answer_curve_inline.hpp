@@ -11,7 +11,6 @@
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/unknowns.hpp>
-#include <fstiff/asperity/hardness.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>

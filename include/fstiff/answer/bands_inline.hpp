@@ -14,7 +14,6 @@
 #include <fstiff/answer/unknowns.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
 
 #include <algorithm>
 #include <cmath>

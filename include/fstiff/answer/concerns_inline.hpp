@@ -4,7 +4,6 @@
 /// The functions of answer/concerns.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/answer_curve.hpp>
-#include <fstiff/answer/band_parts.hpp>
 #include <fstiff/answer/concerns.hpp>
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/face.hpp>

@@ -4,7 +4,6 @@
 /// What follows from K of a contact: tangential stiffness and loss, reflection, conductance of heat and current.
 
 #include <fstiff/answer/curves.hpp>
-#include <fstiff/wave/uncertain_reflection.hpp>
 
 #include <cstddef>
 

@@ -7,7 +7,6 @@
 
 #include <fstiff/answer/checks.hpp>
 #include <fstiff/measure/uncertain_sum.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/height_map.hpp>

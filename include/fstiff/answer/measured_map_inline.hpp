@@ -16,7 +16,6 @@
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
-#include <fstiff/profile/tip_lengths.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>

@@ -9,9 +9,7 @@
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 
 #include <cmath>
 #include <functional>

@@ -9,11 +9,9 @@
 #include <fstiff/answer/resolve.hpp>
 
 #include <fstiff/answer/unknowns.hpp>
-#include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 
 #include <cmath>

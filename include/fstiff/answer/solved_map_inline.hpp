@@ -13,7 +13,6 @@
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/halfspace/truth.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/white_noise.hpp>
 

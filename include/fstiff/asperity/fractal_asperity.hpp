@@ -17,7 +17,6 @@
 ///             that (tests/asperity/fractal_asperity_test.cpp)
 
 #include <fstiff/asperity/laws.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <algorithm>
 #include <numbers>

@@ -27,7 +27,6 @@
 #include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/spectrum.hpp>
-#include <fstiff/surface/sum_of_faces.hpp>
 
 namespace fstiff { inline namespace v0_1 {
 

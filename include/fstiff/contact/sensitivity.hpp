@@ -15,7 +15,6 @@
 /// Accuracy    1e-11 of K per relative change, 1e-10 for r and theta near pi/2, else 1e-8
 ///             (tests/contact/sensitivity_test.cpp)
 
-#include <fstiff/contact/load_weighted.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>

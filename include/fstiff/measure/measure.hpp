@@ -33,7 +33,6 @@
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/prepare.hpp>
 #include <fstiff/measure/roughness_cut_off.hpp>
-#include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/profile/profile_form.hpp>

@@ -24,7 +24,6 @@
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 #include <fstiff/topography/form.hpp>
 

@@ -23,7 +23,6 @@
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 
 #include <algorithm>

@@ -17,7 +17,6 @@
 
 #include <fstiff/math/random.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
-#include <fstiff/profile/levelled_profile.hpp>
 #include <fstiff/topography/form.hpp>
 
 #include <algorithm>

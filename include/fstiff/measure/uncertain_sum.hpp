@@ -18,7 +18,6 @@
 #include <fstiff/measure/uncertain_surface.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/surface/moments.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 
 #include <array>

@@ -25,7 +25,6 @@
 #include <fstiff/measure/sections.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/surface/parameter.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/topography/island_spread.hpp>
 #include <fstiff/topography/scan_lines.hpp>
 

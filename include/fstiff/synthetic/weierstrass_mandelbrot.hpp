@@ -21,7 +21,6 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/surface/fractal.hpp>
-#include <fstiff/surface/structure_coefficient.hpp>
 
 #include <numbers>
 

@@ -14,7 +14,6 @@
 #include "input/progress.hpp"
 
 #include <fstiff/asperity/material.hpp>
-#include <fstiff/contact/load_weighted.hpp>
 #include <fstiff/io/quantities.hpp>
 
 #include <memory>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/output_options.hpp"
+
+#include "actions/compute.hpp"
 #include "input/progress.hpp"
 
 #include <algorithm>

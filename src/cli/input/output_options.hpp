@@ -2,7 +2,6 @@
 #pragma once
 // --format and --output, which every subcommand takes, and the options of a scene and of a measured surface.
 
-#include "actions/compute.hpp"
 #include "actions/results.hpp"
 #include "document/output.hpp"
 #include "input/arguments.hpp"

@@ -6,7 +6,6 @@
 #include "actions/run.hpp"
 #include "document/own_output.hpp"
 
-#include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
