@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Every public header compiled alone, as CMAKE_VERIFY_INTERFACE_HEADER_SETS does, in a third of the time: by its syntax, without
-# code, and with what it reaches by its includes of <Eigen/Core> and core/error.hpp precompiled. Files *_inline.hpp are parts
-# of headers, and left out. What that cannot see is a header that uses these, or what they include, above the line that brings
-# them; and what a header reaches is found out when CMake is run. The presets without FSTIFF_UNITY leave it to CMake, without
-# anything precompiled.
+# code, and with what it reaches of <Eigen/Core>, core/error.hpp, profile/fractal_fit.hpp and measure/measure.hpp by its includes
+# precompiled. Files *_inline.hpp are parts of headers, and left out. What that cannot see is a header that uses these, or what
+# they include, above the line that brings them; and what a header reaches is found out when CMake is run. The presets without
+# FSTIFF_UNITY leave it to CMake, without anything precompiled.
 get_target_property(sets fstiff INTERFACE_HEADER_SETS_TO_VERIFY)
 set(headers "")
 foreach(set IN LISTS sets)
@@ -84,12 +84,17 @@ endfunction()
 
 fstiff_reaching(with_eigen "Eigen/|unsupported/Eigen/")
 fstiff_reaching(with_error "fstiff/core/error\\.hpp")
+fstiff_reaching(with_fit "fstiff/profile/fractal_fit\\.hpp")
+fstiff_reaching(with_measure "fstiff/measure/measure\\.hpp")
 set(neither ${headers})
 list(REMOVE_ITEM neither ${with_error})
 set(without_eigen ${with_error})
 list(REMOVE_ITEM without_eigen ${with_eigen})
-list(REMOVE_ITEM with_error ${without_eigen})
+list(REMOVE_ITEM with_error ${without_eigen} ${with_fit})
+list(REMOVE_ITEM with_fit ${with_measure})
 fstiff_compile_alone(neither "${neither}")
 fstiff_compile_alone(errors "${without_eigen}" <fstiff/core/error.hpp>)
 fstiff_compile_alone(eigen "${with_error}" <Eigen/Core> <fstiff/core/error.hpp>)
+fstiff_compile_alone(fit "${with_fit}" <fstiff/profile/fractal_fit.hpp>)
+fstiff_compile_alone(measure "${with_measure}" <fstiff/measure/measure.hpp>)
 add_custom_target(fstiff_headers_alone ALL DEPENDS ${headers_alone})
