@@ -207,7 +207,7 @@ TEST_CASE("An output is written through symbolic links, dangling ones too, and r
     check_harmless(folder, "run --plot picture.svg -o data/new.svg", 3, {"written twice"});
 }
 
-TEST_CASE("Control characters of names are printed nowhere") {
+TEST_CASE("Control characters of names are printed nowhere", "[more]") {
     const Folder folder;
     const std::string name =
         "a\x1b[31m\x7f\xc2\x9b"

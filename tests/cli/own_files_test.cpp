@@ -84,7 +84,7 @@ TEST_CASE("An empty file, a new one and a pipe are written") {
     CHECK(in(folder, "run s.toml -o /dev/stdout | cat").out == read(folder / "empty.txt"));
 }
 
-TEST_CASE("Every form of an output replaces an earlier output of any command") {
+TEST_CASE("Every form of an output replaces an earlier output of any command", "[more]") {
     const Folder folder;
     fill(folder);
     std::vector<std::string> calls{

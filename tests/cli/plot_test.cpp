@@ -208,7 +208,7 @@ TEST_CASE("No reflection is drawn on the frame") {
     CHECK(last - first > 0.5);  // the band of the answer, which the frame holds, is wide
 }
 
-TEST_CASE("Of many curves the first are drawn, and long names are broken") {
+TEST_CASE("Of many curves the first are drawn, and long names are broken", "[more]") {
     const Folder folder;
     std::string many = "peaks = [";
     for (int k = 1; k <= 10; ++k)

@@ -82,7 +82,7 @@ void check_killed_sweeps(unsigned runs) {
 
 }  // namespace
 
-TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 3 runs") {
+TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 3 runs", "[more]") {
     check_killed_sweeps(3);
 }
 TEST_CASE("A sweep that SIGKILL ends at a random moment goes on to the same bytes, in 40 runs", "[long]") {

@@ -196,7 +196,7 @@ TEST_CASE("the loading stiffness of few points below the hardness is the slope o
     CHECK(one.on_coarser_grid().stiffness == alone.on_coarser_grid().stiffness);
 }
 
-TEST_CASE("the loading stiffness of few points is that of a grid of sixteen times as many") {
+TEST_CASE("the loading stiffness of few points is that of a grid of sixteen times as many", "[more]") {
     double squares = 0;  // rms 0.08; 0.15 for the slope over 3 % of p to either side
     int compared = 0;
     for (const std::uint64_t seed : {1u, 2u, 3u}) {

@@ -49,8 +49,8 @@ bool is_rounding(T error) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the residual of a least-squares solution is normal to the columns", "[decompositions]", float,
-                   double) {
+TEMPLATE_TEST_CASE("the residual of a least-squares solution is normal to the columns", "[decompositions]",
+                   FSTIFF_SCALARS) {
     using T = TestType;
     std::mt19937 generator(1);
     for (const Eigen::Index columns : {1, 2, 5, 10})
@@ -82,7 +82,7 @@ TEST_CASE("columns that are combinations of others are found, and left out", "[d
     CHECK(math::PivotedQr<double>(a, 1e-8).rank() == 2);
 }
 
-TEMPLATE_TEST_CASE("singular values are the lengths along their directions", "[decompositions]", float, double) {
+TEMPLATE_TEST_CASE("singular values are the lengths along their directions", "[decompositions]", FSTIFF_SCALARS) {
     using T = TestType;
     std::mt19937 generator(2);
     for (const Eigen::Index columns : {1, 2, 4, 6}) {
@@ -107,7 +107,7 @@ TEST_CASE("a direction that a matrix does not see has the singular value 0", "[d
     CHECK(std::abs(vectors(0, 1) + 2 * vectors(1, 1)) < 1e-15);
 }
 
-TEMPLATE_TEST_CASE("eigenvectors and eigenvalues give the symmetric matrix back", "[decompositions]", float, double) {
+TEMPLATE_TEST_CASE("eigenvectors and eigenvalues give the symmetric matrix back", "[decompositions]", FSTIFF_SCALARS) {
     using T = TestType;
     std::mt19937 generator(3);
     for (const Eigen::Index size : {1, 2, 3, 6}) {
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("eigenvectors and eigenvalues give the symmetric matrix back"
     CHECK(values.maxCoeff() == T(2));
 }
 
-TEMPLATE_TEST_CASE("vectors by loops hold what the expressions of Eigen do", "[decompositions]", float, double) {
+TEMPLATE_TEST_CASE("vectors by loops hold what the expressions of Eigen do", "[decompositions]", FSTIFF_SCALARS) {
     using T = TestType;
     using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
     std::mt19937 generator(4);

@@ -14,8 +14,8 @@ namespace fft_of_lines_test {
 
 using namespace fstiff;
 
-TEMPLATE_TEST_CASE("Transforms of lines are the sums that define them, and back with both parts exchanged", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("Transforms of lines are the sums that define them, and back with both parts exchanged", "",
+                   FSTIFF_SCALARS) {
     using T = TestType;
     using Lines = math::FftOfLines<T>;
     constexpr std::size_t width = Lines::width;

@@ -11,7 +11,7 @@ namespace fft_test {
 
 using namespace fstiff;
 
-TEMPLATE_TEST_CASE("A transform is the sum that defines it, and its inverse gives the data back", "", float, double) {
+TEMPLATE_TEST_CASE("A transform is the sum that defines it, and its inverse gives the data back", "", FSTIFF_SCALARS) {
     using T = TestType;
     const T epsilon = std::numeric_limits<T>::epsilon();
     const std::size_t size = GENERATE(2u, 3u, 4u, 7u, 8u, 12u, 53u, 60u, 97u, 100u, 106u, 1009u, 1024u);

@@ -91,7 +91,7 @@ TEST_CASE("the recurrence F_{a+1} = a F_{a-1} - x F_a holds where it does not ca
     }
 }
 
-TEST_CASE("F_a agrees with its definition at random points and at the seams") {
+TEST_CASE("F_a agrees with its definition at random points and at the seams", "[more]") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(0, 1);
     const auto check = [](double x) {

@@ -130,7 +130,7 @@ std::vector<Problem<T>> hard_problems() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to be", "[root]", float, double) {
+TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to be", "[root]", FSTIFF_SCALARS) {
     using T = TestType;
     const T eps = std::numeric_limits<T>::epsilon();
     for (const auto& p : hard_problems<T>()) {
@@ -148,7 +148,7 @@ TEMPLATE_TEST_CASE("a bracketed root of a hard function is where it is known to 
     }
 }
 
-TEMPLATE_TEST_CASE("converged means that f changes sign within the error", "[root]", float, double) {
+TEMPLATE_TEST_CASE("converged means that f changes sign within the error", "[root]", FSTIFF_SCALARS) {
     using T = TestType;
     for (const auto& p : hard_problems<T>()) {
         const auto found = newton_bracketed<T>(p.f, p.lower, p.upper, p.guess, T(1e-4));
@@ -164,7 +164,7 @@ TEMPLATE_TEST_CASE("converged means that f changes sign within the error", "[roo
     }
 }
 
-TEMPLATE_TEST_CASE("a smooth function from a good guess costs few evaluations", "[root]", float, double) {
+TEMPLATE_TEST_CASE("a smooth function from a good guess costs few evaluations", "[root]", FSTIFF_SCALARS) {
     using T = TestType;
     // The shape that contact inversion has: the logarithm of a load that falls like a Gaussian tail; known root 2.
     const auto f = [](T x) { return std::pair{4 - x * std::abs(x), -2 * std::abs(x)}; };
@@ -179,7 +179,7 @@ TEMPLATE_TEST_CASE("a smooth function from a good guess costs few evaluations", 
     }
 }
 
-TEMPLATE_TEST_CASE("a bracket without a root is reported, not searched for ever", "[root]", float, double) {
+TEMPLATE_TEST_CASE("a bracket without a root is reported, not searched for ever", "[root]", FSTIFF_SCALARS) {
     using T = TestType;
     const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
     const auto line = [](T x) { return std::pair{x, T(1)}; };

@@ -341,7 +341,7 @@ TEST_CASE("A sine has the curvature and the peaks of a sine, and no r and theta"
     CHECK(found.why_no_peaks.find("r = 1.00") == 0);
 }
 
-TEST_CASE("The errors stated are the scatter of many surfaces") {
+TEST_CASE("The errors stated are the scatter of many surfaces", "[more]") {
     // Of 60 the scatter is known to 1/sqrt(118) = 9 %, three times that is 28 %; the rest is what resampling 16 tiles,
     // or blocks of five correlation lengths, misses or adds: 20 % was found at other spectra. The most of islands over
     // all levels varies more between resamples than between surfaces. R_p is a lower bound.

@@ -71,7 +71,7 @@ TEST_CASE("Removing a form leaves the residual of the normal equations in long d
     CHECK(worst <= 4e-16 * 1e-6 * (1 + terms * tilt));  // the bound of the header, relative to the largest height
 }
 
-TEMPLATE_TEST_CASE("A polynomial leaves nothing but rounding", "", float, double) {
+TEMPLATE_TEST_CASE("A polynomial leaves nothing but rounding", "", FSTIFF_SCALARS) {
     using T = TestType;
     Profile<T> profile{std::vector<T>(500), T(1e-6)};
     for (std::size_t i = 0; i < 500; ++i) {

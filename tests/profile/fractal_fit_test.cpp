@@ -92,7 +92,8 @@ TEST_CASE("The printed constant makes G too large by the factors of the errata, 
           1e-12);
 }
 
-TEST_CASE("The error of D is the scatter of D over random walks, and the regression error is many times too small") {
+TEST_CASE("The error of D is the scatter of D over random walks, and the regression error is many times too small",
+          "[more]") {
     const int walks = 200;
     double mean = 0, square = 0, error = 0, regression = 0;
     for (int seed = 1; seed <= walks; ++seed) {
@@ -216,6 +217,7 @@ TEST_CASE("Neither D nor G over the spacing depends on the unit of length") {
     }
 }
 
+#ifdef FSTIFF_MORE_TESTS
 TEST_CASE("A profile in float gives the same fit to its precision") {
     const auto profile = random_walk(4000, 11);
     const auto fit = fit_fractal(profile);
@@ -224,6 +226,7 @@ TEST_CASE("A profile in float gives the same fit to its precision") {
     CHECK(test::relative_error(static_cast<double>(same.fractal.dimension), fit.fractal.dimension) < 1e-5);
     CHECK(test::relative_error(static_cast<double>(same.dimension_error), fit.dimension_error) < 1e-3);
 }
+#endif
 
 TEST_CASE("Missing points are dropped pair by pair") {
     auto profile = random_walk(5000, 12);
@@ -296,7 +299,7 @@ Coverage coverage(double hurst, int profiles, Form form) {
 
 }  // namespace
 
-TEST_CASE("The interval of 95 % covers the D of 40 self-affine profiles as often as stated") {
+TEST_CASE("The interval of 95 % covers the D of 40 self-affine profiles as often as stated", "[more]") {
     const double hurst = GENERATE(0.3, 0.5, 0.8);
     const Coverage c = coverage(hurst, 40, Form::none);
     CAPTURE(hurst, c.inside, c.by_regression, c.bias, c.scatter, c.error);

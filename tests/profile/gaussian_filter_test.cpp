@@ -102,7 +102,7 @@ TEST_CASE("A constant is all waviness, ends included, whatever its height") {
     for (std::size_t i = 0; i < 300; ++i) CHECK(std::abs(raised.heights[i] - plain.heights[i]) < 1e-18);
 }
 
-TEMPLATE_TEST_CASE("The waviness does not depend on the unit of length, nor on the scalar", "", float, double) {
+TEMPLATE_TEST_CASE("The waviness does not depend on the unit of length, nor on the scalar", "", FSTIFF_SCALARS) {
     using T = TestType;
     const auto z = test::fractional_brownian(256, 0.5, 2);
     const auto truth = detail::gaussian_waviness(Profile<double>{z, 1.0}, 32.0);

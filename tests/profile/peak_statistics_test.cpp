@@ -32,7 +32,7 @@ Profile<double> exponential_profile(double rho, std::size_t points, unsigned see
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("The statistics of three ordinates obey their identities on any profile", "", float, double) {
+TEMPLATE_TEST_CASE("The statistics of three ordinates obey their identities on any profile", "", FSTIFF_SCALARS) {
     using T = TestType;
     const auto source = exponential_profile(0.8, 5000, 1);
     Profile<T> profile{{}, static_cast<T>(source.spacing)};

@@ -56,7 +56,7 @@ TEST_CASE("A sine has half its squared amplitude at its wavenumber, whatever the
     CHECK(test::relative_error(power, 9e-18 / 2) < 1e-9);
 }
 
-TEST_CASE("D of fractional Brownian profiles is right in the mean and scatters by its error") {
+TEST_CASE("D of fractional Brownian profiles is right in the mean and scatters by its error", "[more]") {
     const double hurst = GENERATE(0.3, 0.5, 0.8);
     const int profiles = 100;
     double mean = 0, square = 0, error = 0;

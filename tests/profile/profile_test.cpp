@@ -10,8 +10,8 @@ namespace profile_test {
 
 using namespace fstiff;
 
-TEMPLATE_TEST_CASE("The rms height of a sine over whole periods is its amplitude over the root of 2", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("The rms height of a sine over whole periods is its amplitude over the root of 2", "",
+                   FSTIFF_SCALARS) {
     using T = TestType;
     for (const T amplitude : {T(1e-15), T(1e-6), T(1e12)}) {
         Profile<T> profile{std::vector<T>(1000), T(1e-6)};

@@ -89,7 +89,7 @@ TEST_CASE("A tilt of 1e6 times the roughness costs ten digits of sixteen and no 
     }
 }
 
-TEMPLATE_TEST_CASE("A sine has the structure function 2 a^2 sin^2(pi tau/lambda)", "", float, double) {
+TEMPLATE_TEST_CASE("A sine has the structure function 2 a^2 sin^2(pi tau/lambda)", "", FSTIFF_SCALARS) {
     using T = TestType;
     Profile<T> profile{std::vector<T>(10000), T(1e-6)};
     for (std::size_t i = 0; i < 10000; ++i)

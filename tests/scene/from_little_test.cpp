@@ -214,7 +214,7 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     return ends;
 }
 
-TEST_CASE("The band over what is not known is that of surfaces drawn at random", "[slow]") {
+TEST_CASE("The band over what is not known is that of surfaces drawn at random", "[more]") {
     scene::Scene little = read("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3\nhurst = 0.8", "\"plastic\"");
     little.points = {little.points.front(), little.points.back()};
     const auto found = actions::compute(little).curves.front();

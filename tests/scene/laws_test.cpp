@@ -162,7 +162,7 @@ TEST_CASE("laws of a map: its summits and boundary elements") {
     CHECK_FALSE(results.explanation.empty());
 }
 
-TEST_CASE("Every law of a measured surface divides by one sigma: that of the heights without their form") {
+TEST_CASE("Every law of a measured surface divides by one sigma: that of the heights without their form", "[more]") {
     const MapFile file(200, 0.7), other(120, 0.4);
     const std::string rest =
         "\n[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\n[contact]\n"
@@ -224,7 +224,7 @@ TEST_CASE("[persson] spectrum holds for a map and for its neighbours of lambda_s
     }
 }
 
-TEST_CASE("A pressure that a law does not reach leaves its other pressures and the other laws alone") {
+TEST_CASE("A pressure that a law does not reach leaves its other pressures and the other laws alone", "[more]") {
     const MapFile file;
     const auto at = [](std::string text, const std::string& pressures) {
         return test::replaced(std::move(text), "\"1 MPa\", \"5 MPa\"", pressures);
@@ -271,7 +271,8 @@ TEST_CASE("A pressure that a law does not reach leaves its other pressures and t
     CHECK(hard.curves[0].missed[0].reason == "pressure = 1e+08: must be less than the hardness (Pa)");
 }
 
-TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradient, is beyond the range of double") {
+TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradient, is beyond the range of double",
+          "[more]") {
     const MapFile file;
     std::string soft = scene_of(file.surface(), "\"hybrid\", \"persson\", \"hertz\"");
     soft = test::replaced(soft, "2 GPa", "2 MPa");

@@ -218,7 +218,7 @@ TEST_CASE("The number for missing points is an option, a key of a scene, and in 
                   .empty());
 }
 
-TEST_CASE("The band of one uncertain parameter lies at its own quantiles") {
+TEST_CASE("The band of one uncertain parameter lies at its own quantiles", "[more]") {
     // K falls as sigma grows: the 5 % of K is K at the 95 % of sigma, which is median exp(1.6449 s), s^2 = ln(1 +
     // 0.2^2)
     const auto text = [](double sigma, const std::string& errors) {
@@ -346,7 +346,7 @@ TEST_CASE("A changed document of a measurement is refused where it was changed")
     check(changed, {"schema_version"});
 }
 
-TEST_CASE("Islands densest at an end are a concern of the file, its islands and every scene of it") {
+TEST_CASE("Islands densest at an end are a concern of the file, its islands and every scene of it", "[more]") {
     const test::Folder folder;
     const std::string text = test::two_hills();
     const std::string options = "--units um,nm --dx '1 um' --dy '1 um'";

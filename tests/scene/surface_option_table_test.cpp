@@ -9,6 +9,7 @@
 #include "scene/scene.hpp"
 
 #include "support/accuracy.hpp"
+#include "support/library.hpp"
 
 #include <fstiff/profile/profile_form.hpp>
 

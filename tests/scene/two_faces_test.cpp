@@ -53,7 +53,7 @@ TEST_CASE("Two equal faces are one of sqrt(2) the heights, with the same peaks a
         }
 }
 
-TEST_CASE("Two maps: what is measured of both adds up to what is measured of their sum, within the errors") {
+TEST_CASE("Two maps: what is measured of both adds up to what is measured of their sum, within the errors", "[more]") {
     const test::Folder folder;
     const auto upper = folder.write("upper.txt", map_text(3, 1e-6)),
                lower = folder.write("lower.txt", map_text(4, 0.6e-6));

@@ -166,7 +166,7 @@ void check_extreme(const std::vector<const char*>& values) {
     CHECK(outside > 33 * static_cast<std::size_t>(std::ranges::count_if(values, beyond_any_unit)));
 }
 
-TEST_CASE("No value of a scene leads beyond the range of double precision") {
+TEST_CASE("No value of a scene leads beyond the range of double precision", "[more]") {
     check_extreme({"1.7e308", "5e-324", "1e99"});
 }
 TEST_CASE("No value of a scene leads beyond the range of double precision, however far beyond it is", "[long]") {

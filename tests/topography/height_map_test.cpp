@@ -9,7 +9,7 @@ namespace height_map_test {
 
 using namespace fstiff;
 
-TEMPLATE_TEST_CASE("Mean and rms of a map take the points that exist, whatever the offset", "", float, double) {
+TEMPLATE_TEST_CASE("Mean and rms of a map take the points that exist, whatever the offset", "", FSTIFF_SCALARS) {
     using T = TestType;
     const T missing = std::numeric_limits<T>::quiet_NaN(), offset = GENERATE(T(0), T(1024));
     HeightMap<T> map{typename HeightMap<T>::Array(3, 4), T(1), T(2)};

@@ -48,7 +48,7 @@ constexpr std::array kinds{HeightKind::gaussian, HeightKind::counts, HeightKind:
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("The height of a rank is that of the sorted heights", "", float, double) {
+TEMPLATE_TEST_CASE("The height of a rank is that of the sorted heights", "", FSTIFF_SCALARS) {
     using T = TestType;
     for (const HeightKind kind : kinds) {
         CAPTURE(static_cast<int>(kind));
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("The height of a rank is that of the sorted heights", "", flo
     }
 }
 
-TEMPLATE_TEST_CASE("The band of a point is the number of levels not below it", "", float, double) {
+TEMPLATE_TEST_CASE("The band of a point is the number of levels not below it", "", FSTIFF_SCALARS) {
     using T = TestType;
     for (const HeightKind kind : kinds) {
         CAPTURE(static_cast<int>(kind));
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE("The band of a point is the number of levels not below it", "
     }
 }
 
-TEMPLATE_TEST_CASE("The range of heights leaves missing points out", "", float, double) {
+TEMPLATE_TEST_CASE("The range of heights leaves missing points out", "", FSTIFF_SCALARS) {
     using T = TestType;
     for (const Eigen::Index columns : {3, 16, 41}) {  // shorter than the lanes of the pass, as long, and with a rest
         for (const HeightKind kind : kinds) {

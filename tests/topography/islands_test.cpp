@@ -210,7 +210,7 @@ TEST_CASE("Levels that are asked for are taken, in any order, between and beyond
           island_curve(map, {.quantiles = 0}).size());
 }
 
-TEMPLATE_TEST_CASE("Zeros of both signs are one height", "", float, double) {
+TEMPLATE_TEST_CASE("Zeros of both signs are one height", "", FSTIFF_SCALARS) {
     using T = TestType;
     HeightMap<T> map{HeightMap<T>::Array::Zero(4, 5), T(1), T(1)};
     map.heights(1, 1) = map.heights(2, 3) = T(-0.0);
@@ -316,7 +316,7 @@ TEST_CASE("A map turned by a right angle, mirrored or lifted has the same island
     CHECK(difference(island_curve(rounded, o), island_curve(lifted, o)) <= 1e-12);
 }
 
-TEMPLATE_TEST_CASE("The unit of length changes nothing", "", float, double) {
+TEMPLATE_TEST_CASE("The unit of length changes nothing", "", FSTIFF_SCALARS) {
     using T = TestType;
     const T eps = std::numeric_limits<T>::epsilon();
     const auto heights = gaussian(0.7, 30, 6, 96, 5).heights.template cast<T>().eval();

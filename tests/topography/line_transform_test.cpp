@@ -13,7 +13,7 @@ namespace line_transform_test {
 
 using namespace fstiff;
 
-TEMPLATE_TEST_CASE("Lines transformed at once are each that line transformed", "", float, double) {
+TEMPLATE_TEST_CASE("Lines transformed at once are each that line transformed", "", FSTIFF_SCALARS) {
     using T = TestType;
     using Lines = detail::LinesTransform<T>;
     const auto edges = GENERATE(Edges::periodic, Edges::mirrored);
