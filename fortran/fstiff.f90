@@ -144,6 +144,17 @@ module fstiff
             integer(c_int), intent(out) :: doubtful
             integer(c_int) :: status
         end function
+        function fstiff_answer_law(joint, pressures, count, quantile, min_pressure, max_pressure, outside, made) bind(c) &
+            result(status)
+            import
+            type(fstiff_joint), intent(in) :: joint
+            real(c_double), intent(in) :: pressures(*)
+            integer(c_size_t), value :: count
+            real(c_double), value :: quantile, min_pressure, max_pressure
+            integer(c_int), value :: outside
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
         function fstiff_contact_make(law, surface, body, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: law(*)

@@ -69,10 +69,15 @@ def programs(scene=()):
     return given
 
 
+def rows_of_run(given, scene):
+    """The first law that `fstiff run` prints for the scene: its rows as dictionaries of text."""
+    rows = list(csv.DictReader(io.StringIO(output_of(given.fstiff, "run", *scene, "--format", "csv"))))
+    return [row for row in rows if all(row[key] == rows[0][key] for key in ("law", "theta", "r", "answer"))]
+
+
 def curve_of(given):
-    """The first law that `fstiff run` prints for the scene: its rows as dictionaries of text, pressures [MPa], separations [mm]."""
-    rows = list(csv.DictReader(io.StringIO(output_of(given.fstiff, "run", *given.scene, "--format", "csv"))))
-    rows = [row for row in rows if all(row[key] == rows[0][key] for key in ("law", "theta", "r", "answer"))]
+    """The first law that `fstiff run` prints for the scene: its rows, pressures [MPa] and separations [mm]."""
+    rows = rows_of_run(given, given.scene)
     return rows, [float(row["pressure_Pa"]) / 1e6 for row in rows], [float(row["separation_m"]) * 1e3 for row in rows]
 
 

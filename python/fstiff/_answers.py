@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from ._errors import word, words
+from ._contacts import Law
 from ._results import Columns, count_of, draw, frame, heading, lines_of, number, numbers, shown, shown_rows, text_table, whole
 from ._surfaces import Measurement, measured_of
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from typing_extensions import TypeAlias
 
+    from ._contacts import Outside
     from ._results import Numbers
 
     Solid: TypeAlias = Union[str, Mapping[str, float]]
@@ -74,6 +76,7 @@ class Stiffness(Columns):
         }
         self.concerns: list[list[str]] = found["concerns"]
         self.doubtful: npt.NDArray[np.bool_] = np.asarray(found["doubtful"], dtype=bool).reshape(surfaces)
+        self._rms_heights = np.asarray(found["rms_heights"], dtype=np.float64).reshape(surfaces)
 
     @property
     def low(self) -> Numbers:
@@ -84,6 +87,44 @@ class Stiffness(Columns):
     def high(self) -> Numbers:
         """The upper end of the 90 % band of K [Pa/m]."""
         return self["stiffness_p95_Pa_per_m"]
+
+    def law_at(
+        self,
+        quantile: float = 0.5,
+        min_pressure: float | None = None,
+        max_pressure: float | None = None,
+        *,
+        joint: int | tuple[int, ...] = (),
+        outside: Outside = "refuse",
+    ) -> Law:
+        """The law of K between the pressures, some ten a decade: K(p) within 1e-3 of the model, and -dp/dd = K, in nanoseconds.
+
+        quantile       0.5, K itself, or 0.05 or 0.95, an end of its band
+        min_pressure, max_pressure   the least and the greatest of the law [Pa], by default of the pressures that have a K
+        joint          of many joints the index of one
+        outside        of the range, as Contact.tabulate() takes it, but "exact"
+
+        Of peaks that yield it is the law of a contact that has been closed: of vibration, and of changes about a preload. Separations
+        count from that at max_pressure: only their differences are those of the joint. Fewer than two pressures with a K, another
+        quantile, a greater range and a K that does not rise raise ValueError.
+        """
+        import numpy as np
+
+        try:
+            height = self._rms_heights[joint]
+        except IndexError as error:
+            raise ValueError(f"joint = {joint!r:.60}: {error}") from None
+        if np.ndim(height):
+            raise ValueError(f"joint: must be the index of one of the joints, whose shape is {self._rms_heights.shape}")
+        shape = (*self._rms_heights.shape, -1)
+        p, low, K, high = (np.ascontiguousarray(self[key].reshape(shape)[joint]) for key in (KEYS[0], KEYS[2], KEYS[1], KEYS[3]))
+        known = p[~np.isnan(K)]
+        least, greatest = (known.min(), known.max()) if known.size else (np.nan, np.nan)
+        bounds = (
+            number(least if min_pressure is None else min_pressure, "min_pressure"),
+            number(greatest if max_pressure is None else max_pressure, "max_pressure"),
+        )
+        return Law(_core.Law.of_answer(p, low, K, high, float(height), number(quantile, "quantile"), *bounds, word(outside, "outside")))
 
     def to_dataframe(self) -> pd.DataFrame:
         """The columns as a data frame of pandas, one row for each surface and pressure."""

@@ -19,6 +19,19 @@ class Slip:
 class Law:
     @staticmethod
     def from_text(text: str) -> Law: ...
+    @staticmethod
+    def of_answer(
+        pressures: _Numbers,
+        low: _Numbers,
+        value: _Numbers,
+        high: _Numbers,
+        rms_height: float,
+        quantile: float,
+        min_pressure: float,
+        max_pressure: float,
+        outside: str,
+        /,
+    ) -> Law: ...
     def to_text(self) -> str: ...
     def stiffness(self, pressure: _Numbers, out: list[_Numbers], /) -> list[_Numbers]: ...
     def separation(self, pressure: _Numbers, out: list[_Numbers], /) -> list[_Numbers]: ...

@@ -287,6 +287,7 @@ def export(
     slope_tolerance: float | str | None = None,
     pressures: tuple[float | str, float | str] | None = None,
     law: str | None = None,
+    quantile: float | str | None = None,
     peaks: int = 1,
     at: float | str | None = None,
     surface: Face = None,
@@ -299,12 +300,13 @@ def export(
     tolerance  largest error of the pressure between two rows, 0.01 by default
     slope_tolerance  of the slope between two rows, which is K of an elastic law, 0.02 by default
     pressures  from and until which the table reaches [Pa]; the least and the greatest of the scene by default
-    law        of the scene, its first that gives a separation by default
+    law        of the scene, its first that gives a separation by default; "answer": the law whose slope is the K of the answer
+    quantile   of K of the answer, for law "answer": 0.05 or 0.95, the ends of its band, or 0.5, the default
     peaks      which of contact.peaks, from 1 on
     at         pressure whose tangential stiffness a card of friction holds [Pa]; the middle of the range in decades by default
     """
     given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks, "at": at}
-    for key, share in (("tolerance", tolerance), ("slope_tolerance", slope_tolerance)):
+    for key, share in (("tolerance", tolerance), ("slope_tolerance", slope_tolerance), ("quantile", quantile)):
         given[key] = repr(share) if isinstance(share, (int, float)) else share
     given["from"], given["until"] = pressures or (None, None)
     made, warnings, doubtful = _core.export(scene_of(scene, surface)._core, options_of(given))

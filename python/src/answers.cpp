@@ -171,7 +171,8 @@ struct Columns {
     std::map<std::size_t, std::string> reasons{};
     std::vector<std::vector<std::string>> concerns{};
     std::vector<int> doubtful{};
-    std::set<std::string> units{};  ///< sentences on numbers that are likely in another unit
+    std::vector<double> rms_heights{};  ///< NaN of a joint without a K
+    std::set<std::string> units{};      ///< sentences on numbers that are likely in another unit
 
     double& at(const std::string& key, std::size_t place) {
         std::vector<double>& column = numbers[key];
@@ -213,6 +214,7 @@ struct Columns {
             if (std::string unit = fstiff::detail::sentence_of_unit(one); !unit.empty()) units.insert(std::move(unit));
         }
         doubtful.push_back(found.doubtful ? 1 : 0);
+        rms_heights.push_back(found.rms_height);
     }
     /// Joint \p i has no K at any pressure.
     void put(const std::string& reason, std::size_t i, std::span<const double> at_pressures) {
@@ -224,6 +226,7 @@ struct Columns {
         }
         concerns.emplace_back();
         doubtful.push_back(1);
+        rms_heights.push_back(none);
     }
 };
 
@@ -234,6 +237,7 @@ nb::dict dict_of(Columns& columns) {
     for (const auto& [place, reason] : columns.reasons) reasons[nb::int_(place)] = reason;
     all["numbers"] = numbers, all["reasons"] = reasons;
     all["laws"] = columns.laws, all["concerns"] = columns.concerns, all["doubtful"] = columns.doubtful;
+    all["rms_heights"] = columns.rms_heights;
     all["units"] = std::vector(columns.units.begin(), columns.units.end());
     return all;
 }

@@ -4,6 +4,7 @@
 
 #include "actions/one_contact.hpp"
 
+#include <fstiff/answer/answer.hpp>
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
@@ -258,10 +259,24 @@ void add_slip(nb::module_& m) {
         });
 }
 
+/// The law of an answer with K and the ends of its band at \p pressures, NaN where there is none.
+TabulatedLaw law_of_answer(const In& pressures, const In& low, const In& value, const In& high, double rms_height,
+                           double quantile, double min_pressure, double max_pressure, const std::string& outside) {
+    Answer answer;
+    answer.rms_height = rms_height;
+    for (std::size_t i = 0; i < pressures.size(); ++i)
+        if (const Banded K{low.data()[i], value.data()[i], high.data()[i]}; !std::isnan(K.value))
+            answer.points.push_back({.pressure = pressures.data()[i], .stiffness = K});
+    const auto policy = parse<OutsideRange>(outside, "outside");
+    const nb::gil_scoped_release free;
+    return answer.law_at(quantile, {min_pressure, max_pressure, policy});
+}
+
 void add_laws(nb::module_& m) {
     nb::class_<TabulatedLaw>(m, "Law", "A tabulated law; see fstiff.Law.")
         .def_static(
             "from_text", [](std::string_view text) { return TabulatedLaw::from_text(text); }, nb::arg("text"))
+        .def_static("of_answer", &law_of_answer)
         .def("to_text", &TabulatedLaw::to_text)
         .def("stiffness",
              [](const TabulatedLaw& law, const In& p, const Filled& out) {

@@ -30,7 +30,7 @@ bool is_stiffness(const std::optional<PressureTable::Range>& slope_over_stiffnes
 /// The slope of the table against the K that run prints: the rest of a sentence "its slope is ...".
 std::string slope_of(const PressureTable& table) {
     const auto& ratio = table.slope_over_stiffness;
-    const std::string of_law = " of law " + table.law;
+    const std::string of_law = " of " + table.law;
     if (!ratio) return "-dp/dd" + of_law + ", not the K of its unloading";
     const std::string within = ", within " + document::rounded(100 * table.error.slope, 3) + " %";
     if (is_stiffness(ratio)) return "-dp/dd, which is K" + of_law + within;
@@ -42,6 +42,20 @@ std::string slope_of(const PressureTable& table) {
 
 ModelUnits units_of(const ExportRequest& request) {
     return model_units(request.units, surface::option_name(request.prefix, "units"));
+}
+
+/// Which K of the answer \p request takes; none: a law of the scene. \throws domain_error for a quantile with
+/// another law.
+std::optional<double> quantile_of(const ExportRequest& request) {
+    const std::string name = surface::option_name(request.prefix, "quantile");
+    const std::string law = surface::option_name(request.prefix, "law") + " " + std::string(answer_word);
+    if (request.law != answer_word) {
+        if (!request.quantile.empty()) throw domain_error(name + ": is for " + law);
+        return std::nullopt;
+    }
+    const double quantile = request.quantile.empty() ? 0.5 : share_of(request.quantile, name);
+    if (quantile != 0.05 && quantile != 0.5 && quantile != 0.95) detail::refuse(name, quantile, 6, "5 %, 50 % or 95 %");
+    return quantile;
 }
 
 /// Beginning of a comment of the program.
@@ -120,7 +134,8 @@ PressureTableOptions options_of(const ExportRequest& request) {
                    : std::optional(given.positive(io::Dimension::pressure, surface::option_name(request.prefix, key)));
     };
     return {
-        .law = request.law,
+        .law = request.law == answer_word ? std::string() : request.law,
+        .quantile = quantile_of(request),
         .peaks = request.peaks,
         .from = pressure(request.from, "from"),
         .to = pressure(request.until, "until"),
@@ -178,11 +193,12 @@ document::Document document_of(const scene::Scene& scene, const ExportRequest& r
     document.warnings = table.warnings;
     document.doubtful = table.doubtful;
     if (!is_stiffness(table.slope_over_stiffness))
-        document.warnings.push_back("the slope of the table is " + slope_of(table) +
-                                    (table.follows_slope ? ", which fstiff run prints"
-                                                         : "; give a larger " +
-                                                               surface::option_name(request.prefix, "slope_tolerance") +
-                                                               ", or the law hybrid, whose slope is K"));
+        document.warnings.push_back(
+            "the slope of the table is " + slope_of(table) +
+            (table.follows_slope ? ", which fstiff run prints; " + surface::option_name(request.prefix, "law") +
+                                       " answer has the K of the answer as its slope"
+                                 : "; give a larger " + surface::option_name(request.prefix, "slope_tolerance") +
+                                       ", or the law hybrid, whose slope is K"));
     if (request.to == Solver::calculix) warn_of_resampling(law, text, document);
     return document;
 }

@@ -32,7 +32,9 @@ struct ExportRequest {
     std::string tolerance = "1%";        ///< of the pressure between two rows: a share, or per cent
     std::string slope_tolerance = "2%";  ///< of the slope between two rows, against -dp/dd
     request::Amount from{}, until{};     ///< pressures; empty: the least and the greatest of the scene
-    std::string law{};          ///< of the scene; empty: that of the answer, or its first that has a separation
+    std::string law{};          ///< of the scene, or answer_word; empty: that of the answer, or its first that has a
+                                ///< separation
+    std::string quantile{};     ///< of K of the answer: 5, 50 or 95 %, as a share or per cent; empty: 50 %
     int peaks = 1;              ///< which of contact.peaks, from 1 on
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
     request::Amount at{};       ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
@@ -51,9 +53,10 @@ struct ExportRequest {
         take("from", from, {"lowest pressure of the table; the default is that of the scene"});
         take("until", until, {"highest pressure of the table; the default is that of the scene"});
         take("law", law,
-             {"law of the scene; the default is that of the answer or, if the scene names laws, the first that "
-              "gives a "
-              "separation"});
+             {"law of the scene, or answer: the law whose slope is the K of the answer; the default is the loading law "
+              "of the answer or, if the scene names laws, the first that gives a separation"});
+        take("quantile", quantile,
+             {"K of the answer, for law answer: 5% or 95%, the ends of its band, or 50%, the default"});
         take("peaks", peaks,
              {.help = "number of the entry in the scene's contact.peaks, from 1", .shows_default = true});
         take("at", at,

@@ -2,6 +2,7 @@
 #include "actions/overclosure.hpp"
 
 #include "actions/compute.hpp"
+#include "actions/law_of_answer.hpp"
 #include "actions/one_contact.hpp"
 #include "actions/results.hpp"
 #include "document/file.hpp"
@@ -65,6 +66,10 @@ namespace {
 bool has_separation(const detail::Law& law) { return detail::has(law.quantities, Quantity::separation); }
 
 const detail::Law& law_of(const Scene& scene, const PressureTableOptions& options) {
+    if (options.quantile) {
+        detail::ResolvedJoint problem = scene;
+        return detail::law_of_answer(problem, false);
+    }
     const std::string& name = options.law;
     const std::vector<const detail::Law*> laws = name.empty() ? scene.laws : offered_laws(scene);
     std::vector<std::string_view> names;
@@ -73,6 +78,7 @@ const detail::Law& law_of(const Scene& scene, const PressureTableOptions& option
         if (has_separation(*law)) names.push_back(law->name);
     }
     if (names.empty()) throw domain_error(scene.file + ": contact.laws: no law of the scene gives a separation");
+    names.push_back(answer_word);
     throw domain_error(surface::option_name(options.prefix, "law") + " = \"" + name +
                        "\": is not a law of the scene that gives a separation; must be one of " +
                        document::list_and_suggestion(name, names));
@@ -125,19 +131,73 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
     return fine;
 }
 
-/// The answer of \p scene, which names no law, at those of its pressures that are between \p from and \p to.
-std::vector<PressureTable::Answer> answer_between(Scene scene, double from, double to, const ProgressHook& progress) {
+/// Those pressures of the answer of \p scene that are between \p from and \p to.
+std::vector<double> answered_between(const Scene& scene, double from, double to) {
     std::vector<double> kept;
+    if (scene.at_separations) return kept;
     for (const std::size_t place : points_of_answer(scene))
         if (const double p = scene.points[place]; p >= from * (1 - 1e-9) && p <= to * (1 + 1e-9)) kept.push_back(p);
-    scene.points = std::move(kept);
+    return kept;
+}
+
+/// The states of the answer \p curve whose pressures are among \p pressures.
+std::vector<PressureTable::Answer> rows_of(const Curve& curve, const std::vector<double>& pressures) {
     std::vector<PressureTable::Answer> rows;
-    if (scene.at_separations || scene.points.empty()) return rows;
-    const Curve curve = compute(scene, progress).answer->curve;
-    for (std::size_t i = 0; i < curve.states.size(); ++i)
-        rows.push_back({curve.states[i].pressure.value, curve.states[i].stiffness.value, curve.band[i].low,
-                        curve.band[i].high, std::string(curve.law_at(i).name)});
+    for (std::size_t i = 0; i < curve.states.size(); ++i) {
+        const double p = curve.states[i].pressure.value;
+        const auto is_p = [p](double other) { return std::abs(other / p - 1) < 1e-9; };
+        if (std::none_of(pressures.begin(), pressures.end(), is_p)) continue;
+        rows.push_back({p, curve.states[i].stiffness.value, curve.band[i].low, curve.band[i].high,
+                        std::string(curve.law_at(i).name)});
+    }
     return rows;
+}
+
+/// The answer of \p scene, which names no law, at those of its pressures that are between \p from and \p to.
+std::vector<PressureTable::Answer> answer_between(Scene scene, double from, double to, const ProgressHook& progress) {
+    scene.points = answered_between(scene, from, to);
+    if (scene.points.empty()) return {};
+    return rows_of(compute(scene, progress).answer->curve, scene.points);
+}
+
+/// What a table is made of.
+struct Tabulated {
+    Curve curve;  ///< at the pressures of the fine grid
+    std::string title, law;
+    std::vector<PressureTable::Answer> answer{};
+    std::vector<std::string> warnings{};
+    bool doubtful = false;
+};
+
+/// The law of the answer of \p scene, at \p fine.
+Tabulated of_answer(const Scene& scene, const Scene& fine, const PressureTableOptions& options) {
+    const double from = fine.points.front(), to = fine.points.back();
+    const LawOfAnswer found = law_of_answer(scene, *options.quantile, from, to, options.progress);
+    const Curve& answer = found.results.answer->curve;
+    const std::string end = *options.quantile < 0.5   ? ", the 5 % end of its band"
+                            : *options.quantile > 0.5 ? ", the 95 % end of its band"
+                                                      : "";
+    return {.curve = curve_at(found, fine, fine.points),
+            .title = "of the answer" + end + ", by " + laws_of(answer),
+            .law = "the answer" + end,
+            .answer = rows_of(answer, answered_between(scene, from, to)),
+            .warnings = found.results.warnings,
+            .doubtful = found.results.doubtful};
+}
+
+/// The law of \p scene that \p options name, at \p fine.
+Tabulated of_law(const Scene& scene, const Scene& fine, const PressureTableOptions& options) {
+    Results results = compute(fine, options.progress);
+    Tabulated made{.curve = std::move(results.curves.front()),
+                   .title = {},
+                   .law = {},
+                   .warnings = std::move(results.warnings),
+                   .doubtful = results.doubtful};
+    made.title = title(made.curve), made.law = "law " + std::string(made.curve.law->name);
+    if (scene.best && options.law.empty() && !made.curve.states.empty())
+        made.answer = answer_between(scene, made.curve.states.front().pressure.value,
+                                     made.curve.states.back().pressure.value, options.progress);
+    return made;
 }
 
 /// The least and the greatest slope of \p points over K.
@@ -219,6 +279,7 @@ Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y
 std::string law_text(const Scene& scene, const PressureTableOptions& options) {
     const Scene fine = fine_scene(scene, options);
     const double from = fine.points.front(), to = fine.points.back();
+    if (options.quantile) return law_of_answer(scene, *options.quantile, from, to, options.progress).law.to_text();
     return make_contact(fine, 0, 0, options.progress)
         .contact->tabulate({.min_pressure = from, .max_pressure = to, .outside = OutsideRange::extrapolate})
         .to_text();
@@ -230,8 +291,9 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
     detail::require(options.slope_tolerance >= 1e-3 && options.slope_tolerance <= 1,
                     surface::option_name(options.prefix, "slope_tolerance"), options.slope_tolerance,
                     "between 0.1 % and 100 %");
-    const Results results = compute(fine_scene(scene, options), options.progress);
-    const Curve& curve = results.curves.front();
+    const Scene fine = fine_scene(scene, options);
+    Tabulated made = options.quantile ? of_answer(scene, fine, options) : of_law(scene, fine, options);
+    const Curve& curve = made.curve;
     Line points = points_of(curve);
     const ChordErrors within = fine_tolerance({options.tolerance, options.slope_tolerance});
     std::vector<std::size_t> chosen = rows_within({points}, within);
@@ -242,19 +304,17 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
     const LinePoint first = points.front(), second = points[chosen[1]];
     const double foot = -first.y * second.x / (second.y - first.y);
 
-    PressureTable table{.title = title(curve),
-                        .law = std::string(curve.law->name),
+    PressureTable table{.title = std::move(made.title),
+                        .law = std::move(made.law),
                         .from = points.front().y,
                         .to = points.back().y,
                         .zero_separation = curve.states.front().separation.value - foot,
                         .error = error,
-                        .answer = scene.best && options.law.empty()
-                                      ? answer_between(scene, points.front().y, points.back().y, options.progress)
-                                      : std::vector<PressureTable::Answer>(),
+                        .answer = std::move(made.answer),
                         .slope_over_stiffness = slope_over_stiffness(curve, points),
                         .follows_slope = follows,
-                        .warnings = results.warnings,
-                        .doubtful = results.doubtful || !follows};
+                        .warnings = std::move(made.warnings),
+                        .doubtful = made.doubtful || !follows};
     table.columns = columns_from(scene, curve, points, foot, table.zero_separation);
     if (!follows) table.columns.slope.clear();
     table.rows.push_back({0, 0});

@@ -41,11 +41,15 @@ struct ChordErrors {
 /// The errors of the chords between \p rows of \p lines.
 [[nodiscard]] ChordErrors error_of_rows(const std::vector<Line>& lines, const std::vector<std::size_t>& rows);
 
+/// The name of the law of the answer, in place of one of the scene.
+inline constexpr std::string_view answer_word = "answer";
+
 struct PressureTableOptions {
     std::string
-        law{};      ///< one of the scene, which may be any where it names none; empty: that of the answer, or its first
-                    ///< that has a separation
-    int peaks = 1;  ///< which of contact.peaks, from 1 on
+        law{};  ///< one of the scene, which may be any where it names none; empty: that of the answer, or its first
+                ///< that has a separation
+    std::optional<double> quantile{};    ///< 0.05, 0.5 or 0.95 of K of the answer, whose law it is in place of `law`
+    int peaks = 1;                       ///< which of contact.peaks, from 1 on
     std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
     double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2
     double slope_tolerance = 0.02;       ///< of the slope of a line against -dp/dd, relative; 1e-3 to 1
@@ -79,7 +83,7 @@ struct PressureTable {
         double least, greatest;
     };
     std::string title{};         ///< of the law, with theta and r where it has them
-    std::string law{};           ///< its name alone
+    std::string law{};           ///< its name alone, after "law ", or "the answer"
     double from = 0, to = 0;     ///< [Pa]: where the tolerance holds
     double zero_separation = 0;  ///< of the mean planes at overclosure 0 [m]
     std::vector<Row> rows{};     ///< both rise from row to row

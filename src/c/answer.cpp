@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a joint.
+#include "c/law.hpp"
 #include "c/measure.hpp"
 
 #include <fstiff/answer.hpp>
@@ -91,6 +92,22 @@ int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_poin
     return first;
 }
 
+Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t count) {
+    const fstiff_joint from = taken(joint, "joint");
+    require_array(pressures, count, "pressures");
+    if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
+    Joint assembly{.face = face_of(from.face, "face"),
+                   .upper = body_of(from.upper),
+                   .lower = body_of(from.lower),
+                   .nominal_area = known(from.nominal_area)};
+    if (from.other) assembly.other = face_of(from.other, "other");
+    AnswerOptions options;
+    if (from.samples != 0) options.samples = from.samples < 0 ? 0 : from.samples;
+    if (from.seed != 0) options.seed = from.seed;
+    if (from.seating != 0) options.seating = from.seating;
+    return answer(assembly, std::span(pressures, count), options);
+}
+
 }  // namespace
 }  // namespace fstiff::c
 
@@ -99,20 +116,8 @@ using namespace fstiff::c;
 int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t count, const fstiff_answer_points* points,
                   int* doubtful) {
     return guarded([&] {
-        const fstiff_joint from = taken(joint, "joint");
         const fstiff_answer_points to = taken(points, "points");
-        require_array(pressures, count, "pressures");
-        if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
-        fstiff::Joint assembly{.face = face_of(from.face, "face"),
-                               .upper = body_of(from.upper),
-                               .lower = body_of(from.lower),
-                               .nominal_area = known(from.nominal_area)};
-        if (from.other) assembly.other = face_of(from.other, "other");
-        fstiff::AnswerOptions options;
-        if (from.samples != 0) options.samples = from.samples < 0 ? 0 : from.samples;
-        if (from.seed != 0) options.seed = from.seed;
-        if (from.seating != 0) options.seating = from.seating;
-        const fstiff::Answer answer = fstiff::answer(assembly, std::span(pressures, count), options);
+        const fstiff::Answer answer = answer_of(joint, pressures, count);
         if (doubtful) *doubtful = answer.doubtful ? 1 : 0;
         std::string units;
         for (const auto& check : answer.concerns)
@@ -120,6 +125,18 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
                 units += (units.empty() ? "" : "\n") + sentence;
         set_message(units);
         return give_points(answer.points, to);
+    });
+}
+
+int fstiff_answer_law(const fstiff_joint* joint, const double* pressures, size_t count, double quantile,
+                      double min_pressure, double max_pressure, int outside, fstiff_law** made) {
+    return made_by(made, [&] {
+        const fstiff::OutsideRange policy = outside_of(outside);
+        const fstiff::Answer answer = answer_of(joint, pressures, count);
+        const auto [least, greatest] = std::minmax_element(pressures, pressures + count);
+        return new fstiff_law{answer.law_at(quantile, {.min_pressure = min_pressure == 0 ? *least : min_pressure,
+                                                       .max_pressure = max_pressure == 0 ? *greatest : max_pressure,
+                                                       .outside = policy})};
     });
 }
 

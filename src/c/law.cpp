@@ -81,11 +81,8 @@ int fstiff_law_make(const fstiff_contact* contact, double min_pressure, double m
                     fstiff_law** made) {
     return made_by(made, [&] {
         not_null(contact, "contact");
-        if (outside < FSTIFF_OUTSIDE_REFUSE || outside > FSTIFF_OUTSIDE_EXTRAPOLATE)
-            refuse_argument("outside", outside, "one of FSTIFF_OUTSIDE_REFUSE, CLAMP, EXACT, EXTRAPOLATE");
-        return new fstiff_law{contact->contact->tabulate({.min_pressure = min_pressure,
-                                                          .max_pressure = max_pressure,
-                                                          .outside = static_cast<fstiff::OutsideRange>(outside)})};
+        return new fstiff_law{contact->contact->tabulate(
+            {.min_pressure = min_pressure, .max_pressure = max_pressure, .outside = outside_of(outside)})};
     });
 }
 

@@ -9,3 +9,14 @@
 struct fstiff_law {
     fstiff::ContactLaw<double> law;
 };
+
+namespace fstiff::c {
+
+/// The policy of FSTIFF_OUTSIDE_... \throws argument_error for another number.
+inline OutsideRange outside_of(int outside) {
+    if (outside < FSTIFF_OUTSIDE_REFUSE || outside > FSTIFF_OUTSIDE_EXTRAPOLATE)
+        refuse_argument("outside", outside, "one of FSTIFF_OUTSIDE_REFUSE, CLAMP, EXACT, EXTRAPOLATE");
+    return static_cast<OutsideRange>(outside);
+}
+
+}  // namespace fstiff::c

@@ -25,6 +25,7 @@ program fortran_test
     real(c_double), target :: stiffness(7), separation(7)
     integer(c_int), target :: status(7)
     real(c_double) :: p, k, slope, batch_p(1), batch_k(1), traction(2), tangent(3, 3)
+    real(c_double), parameter :: quantiles(3) = [0.05d0, 0.5d0, 0.95d0]
     character(1024) :: numbers, law_file
     character(:), allocatable :: text
     character(*), parameter :: scene = "surface = { rms_height = '1 um', rms_gradient = 0.1, alpha = 5 }"//achar(10)// &
@@ -148,6 +149,17 @@ program fortran_test
         == FSTIFF_OK .and. count == 2, "band of a scene")
     call check(all(bits(separation(:2)) == bits(low)), "band of an answer")
     call check(fstiff_name_of_law(law_of_answer(1)) == fstiff_word_of_document(document, "answer.0.law"), "law by its name")
+    face = fstiff_face(rms_height=1d-6, rms_gradient=0.1d0)
+    joint%upper%youngs_modulus = 210d9; joint%upper%hardness = 2d9; joint%lower = joint%upper
+    call read_numbers("answer/pressures", pressures)
+    call read_numbers("answer/laws", wanted)
+    do i = 1, 3
+        call check(fstiff_answer_law(joint, pressures, 21_c_size_t, quantiles(i), 0d0, 0d0, FSTIFF_OUTSIDE_EXTRAPOLATE, same) &
+            == FSTIFF_OK, "law of an answer")
+        call check(fstiff_law_at_pressure(same, pressures(11), p, k, slope) == FSTIFF_OK .and. &
+            bits(p) == bits(wanted(63*i - 32)) .and. bits(k) == bits(wanted(63*i - 31)), "state of the law of an answer")
+        call fstiff_law_free(same)
+    end do
     call check(fstiff_name_of_cause(FSTIFF_CAUSE_LONG_WAVES) == "long_waves", "cause by its name")
     call check(FSTIFF_CAUSE_NOISE == FSTIFF_CAUSES - 1, "number of causes")
     call fstiff_document_free(document)

@@ -672,6 +672,65 @@ static void test_answer(void) {
     CHECK(status[0] == FSTIFF_OK && status[1] == FSTIFF_OUT_OF_REACH && K[0] > 0 && K[1] == 0 && law[1] == -1);
 }
 
+/* The law of an answer: that of C++ bit for bit, and its slope at the pressures is the K of their points. */
+static void test_law_of_answer(void) {
+    const double quantiles[3] = {0.05, 0.5, 0.95};
+    enum { n = 21 };
+    size_t count, of_laws;
+    double *pressures = numbers_of("answer/pressures", &count), *laws = numbers_of("answer/laws", &of_laws);
+    CHECK(count == n && of_laws == 9 * n);
+    const fstiff_face face = {.size = sizeof face, .rms_height = 1e-6, .rms_gradient = 0.1};
+    fstiff_joint joint = {.size = sizeof joint, .face = &face};
+    joint.upper = joint.lower = (fstiff_solid){210e9, 0.3, 0, 2e9};
+    double ends[3][n];
+    const fstiff_answer_points to = {
+        .size = sizeof to, .stiffness_p05 = ends[0], .stiffness = ends[1], .stiffness_p95 = ends[2]};
+    CHECK(fstiff_answer(&joint, pressures, n, &to, NULL) == FSTIFF_OK);
+    fstiff_law* law;
+    for (int q = 0; q < 3; ++q) {
+        CHECK(fstiff_answer_law(&joint, pressures, n, quantiles[q], 0, 0, FSTIFF_OUTSIDE_EXTRAPOLATE, &law) ==
+              FSTIFF_OK);
+        fstiff_law_facts facts = {.size = sizeof facts};
+        CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.stiffness_is_slope == 1);
+        CHECK(facts.min_pressure == pressures[0] && facts.max_pressure == pressures[n - 1]);
+        for (int i = 0; i < n; ++i) {
+            const double* of_cpp = laws + 3 * (q * n + i);
+            double d, K, p, slope;
+            CHECK(fstiff_law_at_pressure(law, pressures[i], &d, &K, NULL) == FSTIFF_OK);
+            CHECK(fstiff_law_at_separation(law, d, &p, NULL, &slope) == FSTIFF_OK);
+            CHECK(d == of_cpp[0] && K == of_cpp[1] && slope == of_cpp[2]);
+            CHECK(fabs(slope / ends[q][i] - 1) < 1e-3);
+        }
+        fstiff_law_free(law);
+    }
+    CHECK(fstiff_answer_law(&joint, pressures, n, 0.5, 2e6, 5e7, FSTIFF_OUTSIDE_CLAMP, &law) == FSTIFF_OK);
+    double at_end = 0, K = 0;
+    CHECK(fstiff_law_at_pressure(law, 5e7, NULL, &at_end, NULL) == FSTIFF_OK);
+    CHECK(fstiff_law_at_pressure(law, 9e9, NULL, &K, NULL) == FSTIFF_OK && K == at_end);
+    fstiff_law_free(law);
+    free(pressures);
+    free(laws);
+}
+
+static void test_refusals_of_law_of_answer(void) {
+    const double pressures[3] = {1e6, 3e6, 1e7};
+    const fstiff_face face = {.size = sizeof face, .rms_height = 1e-6, .rms_gradient = 0.1};
+    fstiff_joint joint = {.size = sizeof joint, .face = &face, .samples = -1};
+    joint.upper = joint.lower = (fstiff_solid){210e9, 0.3, 0, 2e9};
+    fstiff_law* law = NULL;
+    REFUSES(FSTIFF_REFUSED, "quantile = 0.1: must be 0.05, 0.5 or 0.95",
+            fstiff_answer_law(&joint, pressures, 3, 0.1, 0, 0, 0, &law));
+    REFUSES(FSTIFF_REFUSED, "max_pressure = ", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 1e8, 0, &law));
+    REFUSES(FSTIFF_REFUSED, "min_pressure = nan", fstiff_answer_law(&joint, pressures, 3, 0.5, NAN, 0, 0, &law));
+    REFUSES(FSTIFF_REFUSED, "points with a stiffness = 1", fstiff_answer_law(&joint, pressures, 1, 0.5, 0, 0, 0, &law));
+    REFUSES(FSTIFF_REFUSED, "outside", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, FSTIFF_OUTSIDE_EXACT, &law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "outside = 4", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, 4, &law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_answer_law(NULL, pressures, 3, 0.5, 0, 0, 0, &law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_answer_law(&joint, NULL, 3, 0.5, 0, 0, 0, &law));
+    REFUSES(FSTIFF_BAD_ARGUMENT, "made", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, 0, NULL));
+    CHECK(law == NULL);
+}
+
 /* ---- Sensitivities ---- */
 
 static double stiffness_of(const fstiff_roughness* surface, const fstiff_body* body) {
@@ -1096,6 +1155,7 @@ int main(int argc, char** argv) {
         test_law(argv[3]);
         test_tangents();
         test_answer();
+        test_law_of_answer();
         test_sensitivity();
         test_law_of_a_map();
         test_measurement();
@@ -1104,7 +1164,7 @@ int main(int argc, char** argv) {
         test_hybrid_of_gradient();
         free(text);
     } else if (strcmp(part, "refusals") == 0)
-        test_refusals(), test_refusals_of_friction();
+        test_refusals(), test_refusals_of_friction(), test_refusals_of_law_of_answer();
     else if (strcmp(part, "threads") == 0)
         test_threads();
     else if (strcmp(part, "random") == 0 && argc > 2)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reference of interface_test.c: numbers of the C++ library, made without the C interface and without scenes but
 // for one. Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
+#include <fstiff/answer.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/contact/contact.hpp>
@@ -83,6 +84,23 @@ void print_friction(const ContactLaw<double>& law) {
     }
 }
 
+/// The law of an answer at its three quantiles, between the pressures of the joint and twice as far in.
+void print_law_of_answer() {
+    const Body steel{.elastic = {210e9, 0.3}, .hardness = 2e9};
+    const Joint joint{.face = {.rms_height = 1e-6, .rms_gradient = 0.1}, .upper = steel, .lower = steel};
+    std::vector<double> pressures;
+    for (int i = 0; i <= 20; ++i) pressures.push_back(1e6 * std::pow(10, i / 10.0));
+    print("answer/pressures", pressures);
+    const Answer found = answer(joint, pressures);
+    std::vector<double> all;
+    for (const double quantile : {0.05, 0.5, 0.95}) {
+        const auto law = found.law_at(quantile, {pressures.front(), pressures.back(), OutsideRange::extrapolate});
+        for (const double p : pressures)
+            all.insert(all.end(), {law.separation(p), law.stiffness(p), law.slope_at_separation(law.separation(p))});
+    }
+    print("answer/laws", all);
+}
+
 }  // namespace
 
 int main(int, char** argv) {
@@ -109,6 +127,7 @@ int main(int, char** argv) {
     }
 
     print_friction(law);
+    print_law_of_answer();
 
     const std::string text =
         std::string(scene::builtin_scene) +  // which ends with [contact]

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace export_test {
 
@@ -31,6 +32,13 @@ Table table_of(const std::string& text) {
         CHECK(line.size() - comma - 2 <= 20);
     }
     return table;
+}
+
+/// -dp/dd of the line of \p table at the pressure \p p.
+double slope_at(const Table& table, double p) {
+    const auto above = std::lower_bound(table.pressures.begin() + 1, table.pressures.end() - 1, p);
+    const auto i = static_cast<std::size_t>(above - table.pressures.begin());
+    return (table.pressures[i] - table.pressures[i - 1]) / (table.overclosures[i] - table.overclosures[i - 1]);
 }
 
 }  // namespace
@@ -107,11 +115,90 @@ TEST_CASE("export writes the law of the answer, the K that run prints, and where
         outcome.out, "** answer    at 100000000 Pa K is " + fstiff::detail::rounded_text(K, 4) + " Pa/m, 90 % band "));
     CHECK(outcome.status == 0);
     CHECK(test::contains(outcome.err, "warning: the slope of the table is -dp/dd, 0."));
+    CHECK(test::contains(outcome.err, "--law answer has the K of the answer as its slope"));
     const auto fractal = test::run_fstiff("export --to abaqus --law fractal");
     // (2/3) (3 - D)/(2 - D) of D = 1.62
     CHECK(test::contains(test::lines(fractal.out).front(), "its slope is -dp/dd, 0.413 of K of law fractal"));
     CHECK(test::contains(fractal.err, "warning: the slope of the table is -dp/dd, 0.413 of K of law fractal"));
     CHECK_FALSE(test::contains(fractal.out, "** answer"));
+}
+
+TEST_CASE("The table of law answer has the K that run prints, and the ends of its band, as its slope") {
+    const test::Folder folder;
+    const std::string three = folder.write("three.toml",
+                                           "surface = { rms_height = '0.8 um', rms_gradient = 0.1 }\n"
+                                           "material = { upper = 'steel', lower = 'cast_iron' }\n"
+                                           "contact.pressures = ['0.1 MPa', '7 MPa', '150 MPa']\n");
+    const std::pair<std::string, std::string> ends[]{{"5%", "_p05"}, {"0.5", ""}, {"95%", "_p95"}};
+    for (const std::string& scene : {std::string(), three})  // many points, and three
+        for (const auto& [quantile, end] : ends) {
+            CAPTURE(scene, quantile);
+            const test::Csv run(test::run_fstiff("run " + scene + " --format csv").out);
+            const std::string of_law = "export " + scene + " --law answer --quantile " + quantile;
+            const auto outcome = test::run_fstiff(of_law + " --to abaqus --units m,N,Pa --slope-tolerance 0.1%");
+            CHECK(outcome.status == test::run_fstiff("run " + scene).status);
+            CHECK_FALSE(test::contains(outcome.err, "slope"));
+            CHECK(test::contains(test::lines(outcome.out).front(), "its slope is -dp/dd, which is K of the answer"));
+            const Table table = table_of(outcome.out);
+            const auto law = fstiff::ContactLaw<double>::from_text(test::run_fstiff(of_law + " --to law").out);
+            CHECK(law.stiffness_is_slope());
+            for (std::size_t i = 0; i < run.size(); ++i) {
+                const double p = run.number(i, "pressure_Pa"), K = run.number(i, "stiffness" + end + "_Pa_per_m");
+                CAPTURE(p);
+                CHECK(test::relative_error(slope_at(table, p), K) < 1.1e-3);  // at an end of a line 1e-3
+                CHECK(test::relative_error(law.stiffness(std::clamp(p, law.pressures()[0], law.pressures()[1])), K) <
+                      1e-3);
+            }
+        }
+}
+
+TEST_CASE("Law answer goes to every program, with heat and friction of its own K") {
+    const test::Folder folder;
+    const std::string scene = folder.write("joint.toml",
+                                           "material = { upper = 'steel', lower = 'aluminium' }\n"
+                                           "surface = { Sq = '0.8 um', Sdq = 0.1 }\n"
+                                           "contact.pressures = ['1 MPa', '10 MPa', '50 MPa']\n"
+                                           "gap.medium = 'air'\nfriction.coefficient = 0.2\n"
+                                           "output.quantities = ['stiffness', 'separation', 'tangential_stiffness', "
+                                           "'thermal_conductance']\n");
+    const test::Csv run(test::run_fstiff("run " + scene + " --format csv").out);
+    const std::size_t last = run.size() - 1;
+    for (const std::string end : {"", "_p05", "_p95"}) {
+        CAPTURE(end);
+        const std::string of_law =
+            "export " + scene + " --law answer" + (end.empty() ? "" : " --quantile " + end.substr(2) + "%") + " --to ";
+        std::istringstream cells(test::lines(test::run_fstiff(of_law + "moose --units m,N,Pa").out).back());
+        std::vector<double> row;
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::stod(cell));
+        REQUIRE(row.size() == 4);  // overclosure, pressure, tangential stiffness, conductance with the gap
+        CHECK(test::relative_error(row[1], 50e6) < 1e-9);
+        CHECK(test::relative_error(row[2], run.number(last, "tangential_stiffness" + end + "_Pa_per_m")) < 1e-3);
+        CHECK(test::relative_error(row[3], run.number(last, "thermal_conductance" + end + "_W_per_m2K") +
+                                               run.number(last, "thermal_conductance_gap_W_per_m2K")) < 1e-3);
+        for (const std::string to : {"calculix", "abaqus", "comsol"}) CHECK(test::run_fstiff(of_law + to).status == 0);
+    }
+}
+
+TEST_CASE("Law answer is that of a scene with laws or separations too, up to where the contact closes") {
+    const test::Folder folder;
+    const std::string begin =
+        "surface = { rms_height = '0.8 um', rms_gradient = 0.1 }\n[material.upper]\nyoungs_modulus = '205 GPa'\n"
+        "poisson_ratio = 0.3\nhardness = '50 MPa'\n[contact]\n";
+    const auto law_of = [&](const std::string& contact, const std::string& range = "") {
+        const std::string arguments =
+            "export " + folder.write("scene.toml", begin + contact) + " --to law --law answer ";
+        return fstiff::ContactLaw<double>::from_text(test::run_fstiff(arguments + range).out);
+    };
+    const auto closing = law_of("pressures = ['1 MPa', '10 MPa', '100 MPa']\n"),
+               of_laws = law_of("laws = ['hybrid']\npressures = ['1 MPa', '10 MPa', '40 MPa']\n"),
+               of_separations =
+                   law_of("laws = ['hybrid']\nseparations = ['1 um', '2 um']\n", "--from '1 MPa' --until '40 MPa'");
+    CHECK(closing.pressures()[1] > 39e6);
+    CHECK(closing.pressures()[1] < 50e6);
+    CHECK(test::relative_error(of_laws.stiffness(1e7), closing.stiffness(1e7)) < 1e-3);
+    CHECK(test::relative_error(of_separations.stiffness(1e7), closing.stiffness(1e7)) < 1e-3);
+    const std::string scene = folder.write("closing.toml", begin + "pressures = ['1 MPa', '10 MPa', '100 MPa']\n");
+    CHECK(test::contains(test::run_fstiff("export --to abaqus --law answer " + scene).err, "no K at "));
 }
 
 TEST_CASE("export writes the law itself, of a map too, with the K that run prints") {
@@ -175,6 +262,10 @@ TEST_CASE("export refuses in one sentence") {
     test::check_refused("export --to abaqus --slope-tolerance 0.01%", 3, {"--slope-tolerance = 0.0001", "0.1 %"});
     test::check_refused("export --to abaqus --law nonsense", 3, {"--law = \"nonsense\"", "\"hertz\""});
     test::check_refused("export --to abaqus --law summits", 3, {"\"summits\"", "\"persson\", \"plastic\""});
+    test::check_refused("export --to abaqus --law answer --quantile 10%", 3,
+                        {"--quantile = 0.1: must be 5 %, 50 % or 95 %"});
+    test::check_refused("export --to abaqus --law answer --quantile much", 3, {"--quantile", "much"});
+    test::check_refused("export --to abaqus --quantile 5%", 3, {"--quantile: is for --law answer"});
     test::check_refused("export --to abaqus --from 5", 3, {"--from", "without a unit"});
     test::check_refused("export missing.toml --to abaqus", 3, {"missing.toml"});
 }

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """fstiff.answer() gives what fstiff.run() does of the same joint, to the last digit."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -201,3 +203,41 @@ def test_numbers_in_another_unit_and_refusals_name_what_is_wrong():
     ]:
         with pytest.raises(ValueError, match=sentence):
             fstiff.answer(**{"height": 0.8e-6, "gradient": 0.1, "pressures": 1e7, **given})
+
+
+def test_the_law_of_an_answer():
+    # truth: K and the ends of its band at pressures between those of the law, by answers of their own
+    p, between = np.geomspace(1e6, 1e8, 21), np.geomspace(1.1e6, 9e7, 7)
+    given = {"height": 0.8e-6, "gradient": 0.1, "upper": "steel"}
+    found, there = fstiff.answer(pressures=p, **given), fstiff.answer(pressures=between, **given)
+    for quantile, end in ((0.05, "low"), (0.5, "stiffness"), (0.95, "high")):
+        law = found.law_at(quantile)
+        assert isinstance(law, fstiff.Law) and law.stiffness_is_slope and law.pressures == (p[0], p[-1])
+        np.testing.assert_allclose(law.stiffness(between), getattr(there, end), rtol=2e-3)
+        np.testing.assert_allclose(law.tangent_at_separation(law.separation(p))[1], getattr(found, end), rtol=1e-3)
+    law = found.law_at(0.05, "2 MPa", 5e7, outside="extrapolate")
+    assert law.pressures == (2e6, 5e7) and law.outside == "extrapolate" and law.stiffness(1e8) > law.stiffness(5e7)
+    same = fstiff.Law.from_text(fstiff.export({
+        "surface": {"rms_height": "0.8 um", "rms_gradient": 0.1}, "material": {"upper": "steel"},
+        "contact": {"pressures": ["1 MPa", "100 MPa"]},
+    }, "law", law="answer"))  # fmt: skip
+    np.testing.assert_allclose(same.stiffness(p), found.law_at().stiffness(p), rtol=1e-6)
+
+    many = fstiff.answer(height=[0.4e-6, 0.8e-6], gradient=[0.1, np.nan], upper="steel", pressures=p, samples=0)
+    one = fstiff.answer(height=0.4e-6, gradient=0.1, upper="steel", pressures=p, samples=0)
+    assert many.law_at(joint=0).to_text() == one.law_at().to_text()
+    soft = fstiff.answer(height=0.8e-6, gradient=0.1, upper={"name": "steel", "hardness": 50e6}, pressures=p)
+    assert soft.law_at().pressures == (p[0], p[p < 50e6][-1])
+    for call, words in (
+        (lambda: found.law_at(0.1), "quantile = 0.1: must be 0.05, 0.5 or 0.95"),
+        (lambda: found.law_at("x"), "quantile = 'x': must be a number"),
+        (lambda: found.law_at(max_pressure=1e9), "max_pressure = "),
+        (lambda: found.law_at(outside="exact"), "outside"),
+        (lambda: found.law_at(outside="on"), 'outside = "on"'),
+        (lambda: many.law_at(), "joint: must be the index of one of the joints, whose shape is"),
+        (lambda: many.law_at(joint=2), "joint = 2: index 2 is out of bounds"),
+        (lambda: fstiff.answer(pressures=1e7, **given).law_at(), "points with a stiffness = 1: must be at least 2"),
+        (lambda: fstiff.answer(height=0.8e-6, pressures=p[:2], upper={"name": "steel", "hardness": 1e5}).law_at(), "points with a stiffness = 0"),
+    ):
+        with pytest.raises(ValueError, match=re.escape(words)):
+            call()

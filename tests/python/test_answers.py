@@ -127,5 +127,10 @@ def test_an_export_is_the_file_of_the_command(command, root):
         made = fstiff.export(scene, to, pressures=(1e6, "50 MPa"), tolerance=0.05)
         assert made == text
     assert fstiff.Law.from_text(made).stiffness(1e7) > 0
+    for quantile, end in ((0.05, "5%"), (None, "50%"), ("95%", "0.95")):
+        text = command("export", scene, "--to", "calculix", "--law", "answer", "--quantile", end)
+        assert fstiff.export(scene, law="answer", quantile=quantile) == text
+    with pytest.raises(ValueError, match="^quantile: is for law answer"):
+        fstiff.export(scene, quantile=0.05)
     with pytest.raises(ValueError, match="must be consistent"):
         fstiff.export(scene, units="mm,N,Pa")
