@@ -10,6 +10,7 @@
 #include <fstiff/core/names.hpp>
 #include <fstiff/core/numbers.hpp>
 #include <fstiff/core/parallel.hpp>
+#include <fstiff/core/shared_values.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>

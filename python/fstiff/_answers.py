@@ -211,7 +211,7 @@ def answer(
     film_stiffness: float | None = None,
     friction: float | None = None,
     amplitude: float | None = None,
-    seating: float = 1e3,
+    seating: float | None = 1e3,
     samples: int = 400,
     seed: int = 2014,
 ) -> Stiffness:
@@ -231,12 +231,13 @@ def answer(
     quantities          of "tangential_stiffness", "reflection", "shear_reflection" (with a frequency [Hz]), "loss_factor" (with
                         a coefficient of friction and an amplitude [m]), "thermal_conductance", "electrical_conductance"
     film_stiffness      of a fluid film, which longitudinal waves see in addition to K [Pa/m]: bulk modulus over thickness
-    seating             the approach is 0 at this pressure [Pa]
+    seating             the approach is 0 at this pressure [Pa]; None: no approach, which takes twelve times as long as K without a band
     samples, seed       surfaces drawn for the band; 0: none
 
     The numbers of a face may be arrays, which are broadcast: one joint for each element, in the leading axes of the result. NaN is a number that is
     not given; a joint that needs it has no K, and a reason. A number that is given takes the place of what was measured. What is wrong raises
-    ValueError.
+    ValueError. One pressure on a joint of numbers takes some 2 ms, 0.15 ms with samples=0 and seating=None; loops over pressures take
+    law_at() of the result. The GIL is not held: two threads are twice as fast.
     """
     import numpy as np
 

@@ -258,6 +258,7 @@ nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<F
         if (const auto found = numbers.find("seed"); found != numbers.end())
             how.seed = static_cast<std::uint64_t>(found->second);
         if (const auto found = numbers.find("seating"); found != numbers.end()) how.seating = found->second;
+        how.approach = numbers.contains("seating");
         for (std::size_t i = 0; i < count; ++i) {
             how.progress("joints", i, count);
             try {

@@ -92,7 +92,7 @@ int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_poin
     return first;
 }
 
-Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t count) {
+Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t count, bool approach) {
     const fstiff_joint from = taken(joint, "joint");
     require_array(pressures, count, "pressures");
     if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
@@ -101,7 +101,7 @@ Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t
                    .lower = body_of(from.lower),
                    .nominal_area = known(from.nominal_area)};
     if (from.other) assembly.other = face_of(from.other, "other");
-    AnswerOptions options;
+    AnswerOptions options{.approach = approach};
     if (from.samples != 0) options.samples = from.samples < 0 ? 0 : from.samples;
     if (from.seed != 0) options.seed = from.seed;
     if (from.seating != 0) options.seating = from.seating;
@@ -117,7 +117,7 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
                   int* doubtful) {
     return guarded([&] {
         const fstiff_answer_points to = taken(points, "points");
-        const fstiff::Answer answer = answer_of(joint, pressures, count);
+        const fstiff::Answer answer = answer_of(joint, pressures, count, to.approach != nullptr);
         if (doubtful) *doubtful = answer.doubtful ? 1 : 0;
         std::string units;
         for (const auto& check : answer.concerns)
@@ -132,7 +132,7 @@ int fstiff_answer_law(const fstiff_joint* joint, const double* pressures, size_t
                       double min_pressure, double max_pressure, int outside, fstiff_law** made) {
     return made_by(made, [&] {
         const fstiff::OutsideRange policy = outside_of(outside);
-        const fstiff::Answer answer = answer_of(joint, pressures, count);
+        const fstiff::Answer answer = answer_of(joint, pressures, count, false);
         const auto [least, greatest] = std::minmax_element(pressures, pressures + count);
         return new fstiff_law{answer.law_at(quantile, {.min_pressure = min_pressure == 0 ? *least : min_pressure,
                                                        .max_pressure = max_pressure == 0 ? *greatest : max_pressure,

@@ -87,6 +87,13 @@ def test_arrays_are_many_joints():
     assert fstiff.answer(height=1e-6, upper="steel", pressures=1e7).stiffness.shape == ()
 
 
+def test_an_answer_without_its_approach():
+    whole, found = (fstiff.answer(height=[0.4e-6, 0.8e-6], pressures=PRESSURES, seating=seating) for seating in (1e3, None))
+    assert np.isnan(found["approach_m"]).all() and (whole["approach_m"] > 0).all()
+    for key in set(whole) - {"approach_m"}:
+        np.testing.assert_array_equal(found[key], whole[key], err_msg=key)
+
+
 def test_quantities():
     named = ["tangential_stiffness", "reflection", "shear_reflection", "loss_factor", "thermal_conductance"]
     found = fstiff.answer(

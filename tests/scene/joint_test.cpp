@@ -292,6 +292,61 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
     CHECK(told.next->narrowed < 0.95 * told.next->factor);
 }
 
+/// All numbers of \p found but the approach.
+std::vector<double> numbers_of(const Answer& found) {
+    std::vector<double> numbers;
+    for (const AnswerPoint& point : found.points) {
+        const auto& [low, value, high] = point.stiffness;
+        numbers.insert(numbers.end(), {low, value, high, point.loading_stiffness.value_or(0), point.p_star.value_or(0),
+                                       point.contacts.value_or(0), point.gap_conductance.value_or(0)});
+        for (const double share : shares_of(point.causes)) numbers.push_back(share);
+    }
+    for (const Check<double>& check : found.concerns)
+        numbers.insert(numbers.end(), {double(check.concern), check.least, check.greatest, double(check.violations)});
+    std::erase_if(numbers, [](double number) { return std::isnan(number); });
+    return numbers;
+}
+
+TEST_CASE("An answer without its approach has every other number, those of crossed planes and of a gap too") {
+    Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    const auto same = [](const Joint& of, const std::vector<double>& under) {
+        const Answer whole = answer(of, under), without = answer(of, under, {.approach = false});
+        CHECK(numbers_of(whole) == numbers_of(without));
+        CHECK(whole.doubtful == without.doubtful);
+        CHECK(whole.points.front().approach);
+        CHECK_FALSE(without.points.front().approach);
+    };
+    same(joint, pressures);
+    joint.upper.hardness = joint.lower.hardness = 1e9;
+    same(joint, {1e7, 0.9e9});
+    joint.conduction.gap = GapFilling<double>{.conductivity = 0.026};
+    same(joint, {1e7});
+    joint = {
+        .face = {.mean_height = 0.8e-6, .process = Process::honed}, .upper = body("steel"), .lower = body("steel")};
+    same(joint, {1e3, 1e5});
+}
+
+TEST_CASE("An answer is the same whatever was asked before it, and in any thread") {
+    const auto joint = [](double alpha, Process process) {
+        return Joint{.face = {.mean_height = 0.8e-6, .alpha = alpha, .process = process},
+                     .upper = body("steel"),
+                     .lower = body("aluminium")};
+    };
+    const std::vector<double> first = numbers_of(answer(joint(9, Process::honed), pressures)),
+                              ground = numbers_of(answer(joint(7, Process::ground), pressures));
+    for (int i = 0; i < 80; ++i)  // more than are kept
+        (void)answer(joint(2 + 0.5 * i, Process(1 + i % 8)), 1e7, {.approach = false});
+    CHECK(numbers_of(answer(joint(9, Process::honed), pressures)) == first);
+    std::array<std::vector<double>, 4> found;
+    std::vector<std::thread> threads;
+    for (std::size_t k = 0; k < found.size(); ++k)
+        threads.emplace_back([&, k] {
+            for (int i = 0; i < 3; ++i) found[k] = numbers_of(answer(joint(7, Process::ground), pressures));
+        });
+    for (std::thread& thread : threads) thread.join();
+    for (const std::vector<double>& numbers : found) CHECK(numbers == ground);
+}
+
 TEST_CASE("The law of an answer and of the ends of its band is a table of K with its own approach") {
     Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
     joint.upper.hardness = joint.lower.hardness = std::numeric_limits<double>::infinity();

@@ -34,9 +34,9 @@ struct Solved {
 };
 
 /// Makes \p curve, of law_of_answer() with its states and its band, the answer: at points where boundary elements of
-/// the map know more they take its place, and the band takes in every cause. \p progress is called while they are
-/// solved.
+/// the map know more they take its place, and the band takes in every cause. \p contact is that of its law, null of a
+/// map. \p progress is called while boundary elements are solved.
 [[nodiscard]] AnswerFacts make_answer(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
-                                      const ProgressHook& progress);
+                                      const AnyContact* contact, const ProgressHook& progress);
 
 }}}  // namespace fstiff::detail

@@ -21,6 +21,8 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -162,38 +164,67 @@ FSTIFF_INLINE void hand_over(const ResolvedJoint& problem, const Solved& to, std
             std::lerp(curve.separation_at_seating[i], *to.separation_at_seating, to.weight);
 }
 
-/// ln of the upper end that the error of a law alone gives, at a pressure and the greatest below it.
-struct LightEnd {
-    double pressure, log_high;
+/// A light load, K there, and the upper end of the error of the law alone; each is computed when it is first asked for.
+struct LightLoad {
+    double pressure = 0;
+    std::optional<double> log_high{}, log_stiffness{};  ///< ln of end over K, and of K; -infinity: there is no K
 };
 
-/// These of \p law at light loads, in the order of the pressures: its error grows towards them, of bounded heights
-/// faster than K falls, but what K is not above under more pressure it is not above under less. None of a map.
-FSTIFF_INLINE std::vector<LightEnd> light_ends(const ResolvedJoint& problem, const LawCurve& curve) {
-    std::vector<LightEnd> ends;
-    if (is_map(problem.face) || !curve.rms_gradient) return ends;
-    constexpr int count = 48, a_decade = 8;
-    const double closing = problem.effective_modulus * *curve.rms_gradient;
-    std::vector<double> pressures;
-    for (int k = count; k >= 0; --k)
-        pressures.push_back(law_error_pressures.front() * std::pow(10.0, -double(k) / a_decade) * closing);
-    const double beyond = problem.face.bearing ? 300 : 4;  // K of bounded heights rises slowly
-    const auto is_light = [&](const auto& state) { return state.pressure.value < beyond * pressures.back(); };
-    if (std::none_of(curve.states.begin(), curve.states.end(), is_light)) return ends;
-    for_each_contact(problem, {curve.law}, {}, [&](const ContactOfLaw& recipe) {
-        const auto points = recipe.make()->at_pressures(pressures, Quantity::stiffness);
+/// The upper ends that the error of a law gives under light loads: it grows towards them, of bounded heights faster
+/// than K falls, but what K is not above under more pressure it is not above under less.
+class LightEnds {
+public:
+    /// \p contact is that of the law of \p curve; null of a map, which has no such ends.
+    LightEnds(const ResolvedJoint& problem, const LawCurve& curve, const AnyContact* contact)
+        : problem_(problem),
+          law_(curve.law->which),
+          contact_(contact),
+          rises_(curve.law->holds_when_crowded && !problem.face.bearing) {
+        if (!contact || !curve.rms_gradient) return;
+        constexpr int count = 48, a_decade = 8;
+        closing_ = problem.effective_modulus * *curve.rms_gradient;
+        for (int k = count; k >= 0; --k)
+            loads_.push_back({law_error_pressures.front() * std::pow(10.0, -double(k) / a_decade) * closing_});
+        const double beyond = problem.face.bearing ? 300 : 4;  // K of bounded heights rises slowly
+        const auto is_light = [&](const auto& state) { return state.pressure.value < beyond * loads_.back().pressure; };
+        if (std::none_of(curve.states.begin(), curve.states.end(), is_light)) loads_.clear();
+    }
+
+    /// ln of the greatest end under less than \p pressure, where K is exp(\p log_stiffness); any less where none is
+    /// above \p log_end.
+    double greatest(double pressure, double log_stiffness, double log_end) {
+        constexpr double rounding = 1e-6;
         double greatest = -std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!points[i].ok()) continue;
-            AnswerReason reason;
-            reason.p_star = pressures[i] / closing;
-            const double high = law_error(problem, curve.law->which, reason).high;
-            greatest = (std::max)(greatest, std::log(points[i].state.stiffness.value) + high);
-            ends.push_back({pressures[i], greatest});
+        double log_most = log_stiffness;  // of K under lighter loads
+        for (auto load = loads_.rbegin(); load != loads_.rend(); ++load) {
+            if (!(load->pressure < pressure)) continue;
+            if (!load->log_high) load->log_high = high_at(load->pressure);
+            if (rises_ && log_most + *load->log_high + rounding < (std::max)(greatest, log_end)) continue;
+            if (!load->log_stiffness) load->log_stiffness = log_stiffness_at(load->pressure);
+            if (std::isfinite(*load->log_stiffness)) log_most = *load->log_stiffness;
+            greatest = (std::max)(greatest, *load->log_stiffness + *load->log_high);
         }
-    });
-    return ends;
-}
+        return greatest;
+    }
+
+private:
+    double high_at(double pressure) const {
+        AnswerReason reason;
+        reason.p_star = pressure / closing_;
+        return law_error(problem_, law_, reason).high;
+    }
+    double log_stiffness_at(double pressure) const {
+        const auto point = contact_->at_pressures(std::span(&pressure, 1), Quantity::stiffness).front();
+        return point.ok() ? std::log(point.state.stiffness.value) : -std::numeric_limits<double>::infinity();
+    }
+
+    const ResolvedJoint& problem_;
+    LawName law_;
+    const AnyContact* contact_;
+    bool rises_;          ///< K, with the pressure: most loads cannot have the greatest end
+    double closing_ = 0;  ///< E g [Pa]
+    std::vector<LightLoad> loads_{};
+};
 
 /// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
 /// of the grid, are known to their own size alone.
@@ -210,7 +241,7 @@ FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& state
 }
 
 FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
-                                      const ProgressHook& progress) {
+                                      const AnyContact* contact, const ProgressHook& progress) {
     AnswerFacts facts;
     facts.relative_hardness = relative_hardness(problem);
     facts.flows = flows(problem, *curve.law);
@@ -232,7 +263,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
                 detail::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient);
         if (const double contacts = area * state.contact_density.value; contacts > 0) reason.contacts = contacts;
     }
-    const std::vector<LightEnd> light = light_ends(problem, curve);
+    LightEnds light(problem, curve, contact);
     std::vector<SampledBand<double>> bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];
@@ -247,9 +278,9 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
             put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
         put(Cause::long_waves, {-longer.growth, 0});
         CauseSpread<double> of_law = law_error(problem, curve.law->which, reason);
-        for (const auto& [pressure, log_high] : light)
-            if (pressure < curve.states[i].pressure.value)
-                of_law.high = (std::max)(of_law.high, log_high - std::log(curve.states[i].stiffness.value));
+        const double log_K = std::log(curve.states[i].stiffness.value);
+        const double log_end = light.greatest(curve.states[i].pressure.value, log_K, log_K + of_law.high);
+        of_law.high = (std::max)(of_law.high, log_end - log_K);
         put(Cause::law, of_law);
         const Solved& solved = of_place[curve.places[i]];
         if (solved.weight > 0) hand_over(problem, solved, i, curve, reason);

@@ -102,14 +102,23 @@ FSTIFF_INLINE void require_options(std::span<const double> pressures, const Answ
             "0, or from 20 to 100000");
 }
 
+/// Whether the separation enters what is asked or checked: mean planes cross at half of the hardness and above.
+FSTIFF_INLINE bool needs_separation(const ResolvedJoint& problem, std::span<const double> pressures,
+                                    const AnswerOptions& options) {
+    return options.approach || problem.conduction.gap || problem.face.map ||
+           problem.face.parameters.max_peak_height.value > 0 ||
+           !(*std::max_element(pressures.begin(), pressures.end()) < hardness_of(problem) / 2);
+}
+
 }  // namespace detail
 
 FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
     detail::require_options(pressures, options);
     const detail::ResolvedJoint problem = detail::problem_of(joint, detail::law_options(options));
     detail::Request request{.points = {pressures.begin(), pressures.end()},
-                            .approach = true,
+                            .approach = options.approach,
                             .log_slopes = can_derive(detail::Derived::loss_factor, problem),
+                            .separation = needs_separation(problem, pressures, options),
                             .seating = options.seating,
                             .samples = options.samples,
                             .seed = options.seed,

@@ -168,10 +168,14 @@ FSTIFF_INLINE void add_curves(const ResolvedJoint& problem, const Request& reque
 FSTIFF_INLINE void add_answer(ResolvedJoint problem, Request request, const ProgressHook& progress,
                               const std::vector<MadeContact>* contacts, Curves& result) {
     request.laws = {&law_of_answer(problem, request.at_separations)};
+    std::vector<MadeContact> made;  // those of a map are made in parts
+    if (!contacts && !is_map(problem.face)) made = contacts_of(problem, request.laws), contacts = &made;
     std::vector<LawCurve> curves;
-    add_curves(problem, request, of_answer, progress, contacts, curves, result.failed);
+    const Quantity quantities = request.separation ? of_answer : without(of_answer, Quantity::separation);
+    add_curves(problem, request, quantities, progress, contacts, curves, result.failed);
     result.answer = std::move(curves.front());
-    result.facts = make_answer(problem, request, *result.answer, progress);
+    const AnyContact* const contact = is_map(problem.face) ? nullptr : contacts->front().contact.get();
+    result.facts = make_answer(problem, request, *result.answer, contact, progress);
 }
 
 /// The answer next to laws that are named. A band costs more than a curve: of many points it is of those that are

@@ -12,6 +12,7 @@
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
+#include <fstiff/core/shared_values.hpp>
 #include <fstiff/peaks/single_radius.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
@@ -195,7 +196,10 @@ std::unique_ptr<AnyContact> of_map(const ContactInputs& inputs) {
 }  // namespace law_rows
 FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
     if (shape.is_gaussian()) return nullptr;
-    return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
+    static SharedValues<std::pair<double, double>, BearingSlope<double>> curves;  // of what is assumed of a process
+    return curves.at({shape.skewness, shape.kurtosis}, [&] {
+        return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
+    });
 }
 
 }  // namespace detail

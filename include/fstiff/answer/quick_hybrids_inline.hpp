@@ -8,9 +8,12 @@
 #include <fstiff/answer/quick_hybrids.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
+#include <fstiff/core/shared_values.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_slope.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -92,6 +95,28 @@ private:
     SimilarHybrids<double> table_;
 };
 
+using UnitHybrid = HybridContact<double, BandHills<double>>;
+using ScaledUnitHybrid = ScaledContact<double, UnitHybrid>;
+
+/// Hybrid of a surface with rms height, gradient and modulus 1. Many joints share it, since alpha and H are those that
+/// are assumed of a process. \throws domain_error as hybrid_of_band().
+FSTIFF_INLINE std::shared_ptr<const UnitHybrid> unit_hybrid(double gamma, double alpha, double hurst) {
+    static SharedValues<std::array<double, 3>, UnitHybrid> contacts;
+    return contacts.at({gamma, alpha, hurst}, [&] {
+        return std::make_shared<const UnitHybrid>(
+            hybrid_of_band(band_of_moments<double>({1, 0.5, alpha / 4}, hurst), 1.0, gamma));
+    });
+}
+/// The same of a bearing curve that ends as high as \p bearing, for with_bearing().
+FSTIFF_INLINE std::shared_ptr<const ScaledUnitHybrid> unit_hybrid(double gamma, double alpha, double hurst,
+                                                                  const BearingSlope<double>& bearing) {
+    static SharedValues<std::array<double, 4>, ScaledUnitHybrid> contacts;
+    return contacts.at({gamma, alpha, hurst, (std::min)(bearing.highest(), highest_score<double>)}, [&] {
+        return std::make_shared<const ScaledUnitHybrid>(
+            hybrid_of_band(band_of_moments<double>({1, 0.5, alpha / 4}, hurst), bearing, 1.0, gamma));
+    });
+}
+
 /// K sigma/(E g) is a function of p/(E g), alpha, H and the bearing curve.
 class HybridsOfNumbers final : public QuickHybrid {
 public:
@@ -112,12 +137,11 @@ public:
     }
 
 private:
-    using Gaussian = HybridContact<double, BandHills<double>>;
-    using Scaled = ScaledContact<double, Gaussian>;
     /// Contact of one alpha and H, with rms height, gradient and modulus 1.
     struct Surface {
-        std::optional<Gaussian> gaussian;
-        std::map<const BearingSlope<double>*, Scaled> scaled;
+        std::shared_ptr<const UnitHybrid> gaussian;
+        std::shared_ptr<const ScaledUnitHybrid> any_scaled;  ///< that all bearing curves are made of
+        std::map<const BearingSlope<double>*, ScaledUnitHybrid> scaled;
     };
     static double closing_of(const ContactInputs& inputs) {
         return inputs.effective_modulus * std::sqrt(2 * inputs.moments.m2);
@@ -129,20 +153,16 @@ private:
         // the same alpha after rounding is one surface
         const double alpha = std::exp(std::round(std::log(inputs.moments.bandwidth()) * 1e9) / 1e9);
         Surface& surface = surfaces_[std::pair(alpha, inputs.hurst)];
-        const auto band = [&] { return band_of_moments<double>({1, 0.5, alpha / 4}, inputs.hurst); };
         const BearingSlope<double>* const bearing = inputs.bearing;
         try {
             if (!bearing) {
-                if (!surface.gaussian) surface.gaussian = hybrid_of_band(band(), 1.0, gamma_);
+                if (!surface.gaussian) surface.gaussian = unit_hybrid(gamma_, alpha, inputs.hurst);
                 return call(*surface.gaussian);
             }
+            if (!surface.any_scaled) surface.any_scaled = unit_hybrid(gamma_, alpha, inputs.hurst, *bearing);
             auto entry = surface.scaled.find(bearing);
             if (entry == surface.scaled.end())
-                entry = surface.scaled
-                            .emplace(bearing, surface.scaled.empty()
-                                                  ? hybrid_of_band(band(), *bearing, 1.0, gamma_)
-                                                  : detail::with_bearing(surface.scaled.begin()->second, *bearing))
-                            .first;
+                entry = surface.scaled.emplace(bearing, detail::with_bearing(*surface.any_scaled, *bearing)).first;
             return call(entry->second);
         } catch (const domain_error&) {
             return std::nullopt;
@@ -154,7 +174,9 @@ private:
 };
 
 FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_draws(const BearingSlope<double>* bearing, double gamma) {
-    return std::make_shared<const HybridsOfDraws>(bearing, gamma);
+    if (bearing) return std::make_shared<const HybridsOfDraws>(bearing, gamma);
+    static SharedValues<double, HybridsOfDraws> of_gaussian_heights;
+    return of_gaussian_heights.at(gamma, [&] { return std::make_shared<const HybridsOfDraws>(nullptr, gamma); });
 }
 FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_numbers(double gamma) {
     return std::make_shared<const HybridsOfNumbers>(gamma);

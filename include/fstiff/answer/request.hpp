@@ -23,6 +23,7 @@ struct Request {
     std::vector<std::size_t> answered{};  ///< places among `points` at which the answer is solved
     bool approach = false;                ///< the separation at `seating` too
     bool log_slopes = false;              ///< d log K/d log p too
+    bool separation = true;               ///< of the answer, which costs more than its K
     double seating = 1e3;                 ///< the approach is 0 at this pressure [Pa]
     int samples = 400;                    ///< of a band; 0: none
     std::uint64_t seed = 2014;

@@ -150,13 +150,13 @@ public:
     /// \throws domain_error unless it is positive and at most 18 E g.
     [[nodiscard]] T stiffness(T pressure) const {
         require_reach(pressure);
-        return static_cast<T>(static_cast<double>(pressure) / (root_2_over_pi() * sums(pressure).value));
+        return static_cast<T>(static_cast<double>(pressure) / (root_2_over_pi() * sums<false>(pressure).value));
     }
 
     /// K [Pa/m] and dK/dp [1/m]. \throws domain_error as stiffness.
     [[nodiscard]] detail::PerssonStiffness<T> stiffness_and_slope(T pressure) const {
         require_reach(pressure);
-        const Sums j = sums(pressure);
+        const Sums j = sums<true>(pressure);
         const double K = static_cast<double>(pressure) / (root_2_over_pi() * j.value);
         return {static_cast<T>(K), static_cast<T>(K / static_cast<double>(pressure) * (1 - j.log_slope))};
     }
@@ -253,11 +253,12 @@ private:
     void make_panels() {
         const auto& rule = math::GaussLegendre<double, points>::get();
         const double log_2 = std::log(2.0);
-        std::array<double, points> scale;  // of the Lagrange polynomials
+        using Polynomials = Eigen::Array<double, static_cast<int>(points), 1>;
+        Polynomials scale;  // of the Lagrange polynomials
         for (std::size_t j = 0; j < points; ++j) {
-            scale[j] = 1;
+            double& of_node = scale[static_cast<Eigen::Index>(j)] = 1;
             for (std::size_t k = 0; k < points; ++k)
-                if (k != j) scale[j] /= rule.node[j] - rule.node[k];
+                if (k != j) of_node /= rule.node[j] - rule.node[k];
         }
         weight_.assign(points * panels, 0.0);
         inverse_.resize(points * panels);
@@ -274,12 +275,13 @@ private:
                     const double mass = rule.weight[i] / 2 * std::log(to / from) * gradient * piece.inverse_q(gradient);
                     const double t = 2 * std::log(top / gradient) / log_2 - 1;
                     total += mass;
-                    for (std::size_t j = 0; j < points; ++j) {
-                        double lagrange = scale[j];
-                        for (std::size_t k = 0; k < points; ++k)
-                            if (k != j) lagrange *= t - rule.node[k];
-                        weight_[panel * points + j] += mass * lagrange;
+                    Polynomials lagrange = scale;  // all at once
+                    for (std::size_t k = 0; k < points; ++k) {
+                        const double without_own_node = lagrange[static_cast<Eigen::Index>(k)];
+                        lagrange *= t - rule.node[k];
+                        lagrange[static_cast<Eigen::Index>(k)] = without_own_node;
                     }
+                    Eigen::Map<Polynomials>(&weight_[panel * points]) += mass * lagrange;
                 }
             }
         }
@@ -311,9 +313,10 @@ private:
 
     struct Sums {
         double value;      ///< int f(p/(E G)) dG/q [m]
-        double log_slope;  ///< d ln value/d ln p
+        double log_slope;  ///< d ln value/d ln p; 0 without slope
     };
 
+    template <bool with_slope>
     [[nodiscard]] Sums sums(T pressure) const {
         using V = math::Lanes<double, 8>;
         const double x = static_cast<double>(pressure) / static_cast<double>(modulus_), root_2 = std::sqrt(2.0);
@@ -325,9 +328,11 @@ private:
             const V fall = exp(V::all(-2.0) * y * y);
             const V P = math::erf_ascending(V::all(root_2) * y, root_2 * least, root_2 * most, erf);
             const V bracket = energy.value(P);
-            const V change = multiply_add(energy.slope(P) * V::all(dP), fall, V::all(-4.0) * y * bracket);
             values = multiply_add(weight * fall, bracket, values);
-            slopes = multiply_add(weight * fall * y, change, slopes);
+            if constexpr (with_slope) {
+                const V change = multiply_add(energy.slope(P) * V::all(dP), fall, V::all(-4.0) * y * bracket);
+                slopes = multiply_add(weight * fall * y, change, slopes);
+            }
         };
         if (2 * x > gradient_) {
             alignas(64) std::array<double, 8> ys, weights;
