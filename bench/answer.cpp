@@ -55,7 +55,7 @@ void answer_row(const std::string& what, const Call& call) {
 const Rows rows_of_answer([] {
     answer_row("contact", [](std::size_t i) { return stiffness_of(*contact(i)); });
     answer_row("stiffness", [](std::size_t i) {
-        return answer(joint(i), pressure, {.samples = 0, .approach = false}).stiffness.value;
+        return answer(joint(i), pressure, {.quantities = {"stiffness"}, .samples = 0}).stiffness.value;
     });
     answer_row("approach", [](std::size_t i) { return answer(joint(i), pressure, {.samples = 0}).stiffness.value; });
     answer_row("band", [](std::size_t i) { return answer(joint(i), pressure).stiffness.value; });

@@ -122,10 +122,12 @@ module fstiff
         integer(c_int) :: samples = 0, seed = 0
     end type
     type, bind(c) :: fstiff_answer_points
-        integer(c_size_t) :: size = 96
+        integer(c_size_t) :: size = 120
         type(c_ptr) :: stiffness = c_null_ptr, stiffness_p05 = c_null_ptr, stiffness_p95 = c_null_ptr, &
             loading_stiffness = c_null_ptr, tangential_stiffness = c_null_ptr, approach = c_null_ptr, contacts = c_null_ptr, &
             p_star = c_null_ptr, causes = c_null_ptr, law = c_null_ptr, status = c_null_ptr
+        integer(c_size_t) :: key_count = 0
+        type(c_ptr) :: keys = c_null_ptr, numbers = c_null_ptr
     end type
     type, bind(c) :: fstiff_curve
         integer(c_size_t) :: size = 48

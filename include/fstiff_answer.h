@@ -102,14 +102,19 @@ typedef struct fstiff_answer_points {
     double* causes;               /**< FSTIFF_CAUSES shares of the band for each pressure, one row after the other */
     int* law;                     /**< that gave K: fstiff_law_name(); -1 without a K */
     int* status;                  /**< of each point */
+    /** Further numbers in SI, by their keys in the CSV of `fstiff run`, such as "real_area_fraction", "force_N" or
+     * "tangential_stiffness_p05_Pa_per_m"; 0 where the joint or the law has none. */
+    size_t key_count;
+    const char* const* keys; /**< key_count */
+    double* const* numbers;  /**< key_count arrays of `count` */
 } fstiff_answer_points;
 
 /** The answer of `fstiff run` to a joint under pressures [Pa], > 0, to the last digit. A point without a K has its
  * status, and 0 in every array. Returns FSTIFF_OK, or the status of the first point without a K, with its reason as the
  * message; where all have one, the message has the numbers that are likely in another unit, a sentence a line.
  * *doubtful, unless it is NULL, becomes 1 where the command would end with exit code 4. For
- * set-up: one pressure on a joint of numbers takes some 2 ms, 0.15 ms where samples is -1 and `approach` NULL. Loops
- * take fstiff_answer_law(). */
+ * set-up: one pressure on a joint of numbers takes some 2 ms, 0.15 ms where samples is -1, `approach` is NULL and there
+ * are no keys. Loops take fstiff_answer_law(). */
 FSTIFF_API int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t count,
                              const fstiff_answer_points* points, int* doubtful);
 /** The name of a law of fstiff_answer(), such as "hybrid"; "unknown law" for any other number. Never NULL. */

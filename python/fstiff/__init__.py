@@ -16,21 +16,22 @@ an argument is a ValueError with one sentence; FileError, a ValueError and an OS
 
 from __future__ import annotations
 
-from ._answers import Stiffness, answer
+from ._answer import Answer
+from ._answers import answer
 from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names, spot_conductance, tangential_ratio
 from ._core import version as __version__
 from ._errors import FileError
 from ._integrals import Estimate, peak_integral
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._report import report
-from ._scenes import Answer, Curves, Export, Scene, export, run
+from ._scenes import Curves, Export, Scene, export, run
 from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
 from ._surfaces import Fit, Islands, Measurement, Parameter, Scales, Surface, Truth, fit, islands, measure, open_surface, truth
 from ._sweeps import sweep
 
 __all__ = [
     "Answer", "Contact", "Curves", "Estimate", "Export", "FileError", "Fit", "Identification", "Islands", "Law", "Measurement",
-    "Parameter", "Peaks", "Points", "Scales", "Scene", "Spectrum", "Stiffness", "Surface", "Truth", "Ultrasound", "__version__",
+    "Parameter", "Peaks", "Points", "Scales", "Scene", "Spectrum", "Surface", "Truth", "Ultrasound", "__version__",
     "answer", "effective_modulus", "export", "fit", "generate", "hybrid", "identify", "islands", "law_names", "measure",
     "open_surface", "peak_integral", "peaks", "report", "run", "spectrum", "spot_conductance", "sweep", "tangential_ratio", "truth",
     "ultrasound",

@@ -8,19 +8,15 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
+from ._answer import Answer
 from ._errors import word, words
-from ._contacts import Law
-from ._results import Columns, count_of, draw, frame, heading, lines_of, number, numbers, shown, shown_rows, text_table, whole
+from ._results import number, numbers, whole
 from ._surfaces import Measurement, measured_of
 
 if TYPE_CHECKING:
-    import numpy as np
     import numpy.typing as npt
-    import pandas as pd
-    from matplotlib.axes import Axes
     from typing_extensions import TypeAlias
 
-    from ._contacts import Outside
     from ._results import Numbers
 
     Solid: TypeAlias = Union[str, Mapping[str, float]]
@@ -33,127 +29,10 @@ FACE = (
     "height", "mean_height", "gradient", "profile_gradient", "profile_spacing", "alpha", "hurst", "skewness", "kurtosis",
     "peak_radius", "peak_density", "fractal_dimension",
 )  # fmt: skip
-KEYS = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
 SOLID = (
     "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "density", "velocity", "shear_velocity",
     "thermal_conductivity", "electrical_conductivity",
 )  # fmt: skip
-
-
-class Stiffness(Columns):
-    """K of one joint or of many: a mapping from keys of `fstiff run --format json` to arrays, of the surfaces by the pressures.
-
-    "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law",
-    "p_star", "contacts", "approach_m", "loading_stiffness_Pa_per_m" and the quantities that were asked for; NaN and "" where
-    there is none. A single surface has arrays of the shape of the pressures.
-
-    causes     the share that each cause has of the band, by its name
-    reasons    why a point has no K, by its index
-    concerns   words for what does not hold, a list for each surface
-    doubtful   for each surface, whether the command would end with exit code 4
-    """
-
-    def __init__(self, found: dict[str, Any], p: Numbers, surfaces: tuple[int, ...], area: float | None) -> None:
-        import numpy as np
-
-        shape = surfaces + p.shape
-
-        def shaped(column: Any) -> npt.NDArray[Any]:
-            array: npt.NDArray[Any] = np.asarray(column).reshape(shape)
-            return array
-
-        columns = {key: shaped(column) for key, column in found["numbers"].items()}
-        self.causes = {key[7:]: column for key, column in columns.items() if key.startswith("causes/")}
-        self._values = {key: column for key, column in columns.items() if not key.startswith("causes/")}
-        self._values.setdefault("pressure_Pa", np.broadcast_to(p, shape).copy())
-        for end in ("", "_p05", "_p95"):  # which are missing where no point has K
-            K = self._values.setdefault(f"stiffness{end}_Pa_per_m", np.full(shape, np.nan))
-            if area is not None:
-                self._values[f"stiffness{end}_N_per_m"] = area * K
-        self._values["law"] = shaped(found["laws"])
-        self.reasons: dict[tuple[int, ...], str] = {
-            tuple(int(i) for i in np.unravel_index(place, shape)): reason for place, reason in found["reasons"].items()
-        }
-        self.concerns: list[list[str]] = found["concerns"]
-        self.doubtful: npt.NDArray[np.bool_] = np.asarray(found["doubtful"], dtype=bool).reshape(surfaces)
-        self._rms_heights = np.asarray(found["rms_heights"], dtype=np.float64).reshape(surfaces)
-
-    @property
-    def low(self) -> Numbers:
-        """The lower end of the 90 % band of K [Pa/m]."""
-        return self["stiffness_p05_Pa_per_m"]
-
-    @property
-    def high(self) -> Numbers:
-        """The upper end of the 90 % band of K [Pa/m]."""
-        return self["stiffness_p95_Pa_per_m"]
-
-    def law_at(
-        self,
-        quantile: float = 0.5,
-        min_pressure: float | None = None,
-        max_pressure: float | None = None,
-        *,
-        joint: int | tuple[int, ...] = (),
-        outside: Outside = "refuse",
-    ) -> Law:
-        """The law of K between the pressures, some ten a decade: K(p) within 1e-3 of the model, and -dp/dd = K, in nanoseconds.
-
-        quantile       0.5, K itself, or 0.05 or 0.95, an end of its band
-        min_pressure, max_pressure   the least and the greatest of the law [Pa], by default of the pressures that have a K
-        joint          of many joints the index of one
-        outside        of the range, as Contact.tabulate() takes it, but "exact"
-
-        Of peaks that yield it is the law of a contact that has been closed: of vibration, and of changes about a preload. Separations
-        count from that at max_pressure: only their differences are those of the joint. Fewer than two pressures with a K, another
-        quantile, a greater range and a K that does not rise raise ValueError.
-        """
-        import numpy as np
-
-        try:
-            height = self._rms_heights[joint]
-        except IndexError as error:
-            raise ValueError(f"joint = {joint!r:.60}: {error}") from None
-        if np.ndim(height):
-            raise ValueError(f"joint: must be the index of one of the joints, whose shape is {self._rms_heights.shape}")
-        shape = (*self._rms_heights.shape, -1)
-        p, low, K, high = (np.ascontiguousarray(self[key].reshape(shape)[joint]) for key in (KEYS[0], KEYS[2], KEYS[1], KEYS[3]))
-        known = p[~np.isnan(K)]
-        least, greatest = (known.min(), known.max()) if known.size else (np.nan, np.nan)
-        bounds = (
-            number(least if min_pressure is None else min_pressure, "min_pressure"),
-            number(greatest if max_pressure is None else max_pressure, "max_pressure"),
-        )
-        return Law(_core.Law.of_answer(p, low, K, high, float(height), number(quantile, "quantile"), *bounds, word(outside, "outside")))
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """The columns as a data frame of pandas, one row for each surface and pressure."""
-        return frame({key: column.ravel() for key, column in self.items()})
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws K over the pressure with its band, a line for each joint; returns the axes."""
-        import numpy as np
-
-        count = self.pressure.shape[-1] if self.pressure.ndim else 1
-        columns = (np.reshape(self[key], (-1, count)) for key in KEYS)
-        return draw(ax, *KEYS[:2], [("", *line) for line in zip(*columns)])
-
-    def __repr__(self) -> str:
-        import numpy as np
-
-        factor = heading(KEYS[1], self[KEYS[1]])[1]
-        pairs = zip(np.ravel(self.low) * factor, np.ravel(self.high) * factor)
-        columns: dict[str, Any] = {key: self[key] for key in KEYS[:2]}
-        columns["90 % band"] = np.array([f"{shown(low, 2)}–{shown(high, 2)}" if low == low else "-" for low, high in pairs])
-        columns["law"] = self["law"]
-        if self.doubtful.ndim and self.doubtful.size:
-            each = self.pressure.size // self.doubtful.size
-            columns = {"joint": np.repeat(np.arange(self.doubtful.size), each), **columns}
-        doubts = sorted({word.replace("_", " ") for words, doubted in zip(self.concerns, self.doubtful.flat) if doubted for word in words})
-        reasons = sorted(set(self.reasons.values()))[:3]
-        flows = np.any(self.get("loading_stiffness_Pa_per_m", np.inf) < 0.99 * self[KEYS[1]])
-        which = "\n  K is of unloading, for vibration and waves; .loading_stiffness is of the first load" if flows else ""
-        return f"<fstiff.Stiffness: {count_of(self)}>\n{text_table(shown_rows(columns, 3))}{which}" + lines_of(doubts + reasons)
 
 
 def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
@@ -185,6 +64,29 @@ def _face(
     return _core.Face(columns, process or "", [one._measured for one in measured])
 
 
+def _of_joints(found: dict[str, Any], p: Numbers, joints: tuple[int, ...], area: float | None) -> Answer:
+    import numpy as np
+
+    shape = joints + p.shape
+
+    def shaped(column: Any) -> npt.NDArray[Any]:
+        array: npt.NDArray[Any] = np.asarray(column).reshape(shape)
+        return array
+
+    columns = {key: shaped(column) for key, column in found["numbers"].items()}
+    causes = {key[7:]: column for key, column in columns.items() if key.startswith("causes/")}
+    values = {key: column for key, column in columns.items() if not key.startswith("causes/")}
+    values.setdefault("pressure_Pa", np.broadcast_to(p, shape).copy())
+    for end in ("", "_p05", "_p95"):  # which are missing where no point has K
+        K = values.setdefault(f"stiffness{end}_Pa_per_m", np.full(shape, np.nan))
+        if area is not None:
+            values[f"stiffness{end}_N_per_m"] = area * K
+    values["law"] = shaped(found["laws"])
+    reasons = {tuple(int(i) for i in np.unravel_index(place, shape)): reason for place, reason in found["reasons"].items()}
+    doubtful, heights = (np.asarray(found[key]).reshape(joints) for key in ("doubtful", "rms_heights"))
+    return Answer(values, causes, heights, doubtful, reasons, found["concerns"])
+
+
 def answer(
     *,
     pressures: npt.ArrayLike,
@@ -214,7 +116,7 @@ def answer(
     seating: float | None = 1e3,
     samples: int = 400,
     seed: int = 2014,
-) -> Stiffness:
+) -> Answer:
     """One stiffness for each pressure, by the law that holds there, with a 90 % band and its causes: what `fstiff run` answers.
 
     pressures           nominal [Pa], an array of any shape, of texts such as "10 MPa" or of quantities with units, as every argument
@@ -228,8 +130,8 @@ def answer(
     process             what made the face, such as "ground" or "grinding": it decides what is assumed of the numbers that are not given
     other               the other face where it is rough: a dict of the numbers above, or what measure() returned
     area                nominal area [m^2]
-    quantities          of "tangential_stiffness", "reflection", "shear_reflection" (with a frequency [Hz]), "loss_factor" (with
-                        a coefficient of friction and an amplitude [m]), "thermal_conductance", "electrical_conductance"
+    quantities          words of output.quantities in docs/scene.md, such as "reflection", which needs a frequency [Hz]; those of
+                        friction need its coefficient and an amplitude [m]
     film_stiffness      of a fluid film, which longitudinal waves see in addition to K [Pa/m]: bulk modulus over thickness
     seating             the approach is 0 at this pressure [Pa]; None: no approach, which takes twelve times as long as K without a band
     samples, seed       surfaces drawn for the band; 0: none
@@ -281,4 +183,4 @@ def answer(
     found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, words(quantities, "quantities"), bool(surfaces))
     for sentence in found["units"]:
         warnings.warn(sentence + "; numbers are in SI, or texts such as \"0.8 um\"", stacklevel=2)
-    return Stiffness(found, p, surfaces, options.get("area"))
+    return _of_joints(found, p, surfaces, options.get("area"))

@@ -22,12 +22,8 @@ from ._scenes import Curves, Scene
 from ._surfaces import Scales
 
 #: Quantities under the same pressures, and what their pictures are called.
-UNDER = {
-    "reflection": "Reflection of longitudinal waves", "shear_reflection": "Reflection of shear waves",
-    "loss_factor": "Loss factor of a tangential cycle", "tangential_stiffness_Pa_per_m": "Tangential stiffness",
-    "thermal_conductance_W_per_m2K": "Thermal conductance of the spots",
-    "thermal_conductance_gap_W_per_m2K": "Thermal conductance of the gap",
-    "electrical_conductance_S_per_m2": "Electrical conductance of the spots", "real_area_fraction": "Real area over nominal area",
+UNDER = {key: title for _, key, title in _core.quantities if title} | {
+    "tangential_stiffness_Pa_per_m": "Tangential stiffness", "real_area_fraction": "Real area over nominal area",
     "contacts_per_m2": "Contacts", "separation_m": "Separation of the mean planes", "approach_m": "Approach of the faces",
 }  # fmt: skip
 

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
-    from ._values import Values
 
     Numbers = npt.NDArray[np.float64]
     Line = tuple[str, Any, Any, Any, Any]
@@ -51,43 +50,19 @@ class Table(Shown, Mapping[str, Value]):
 
 
 #: The attributes of results, and their keys.
-FIELDS = {
-    "pressure": "pressure_Pa", "force": "force_N", "separation": "separation_m", "approach": "approach_m",
-    "stiffness": "stiffness_Pa_per_m", "stiffness_error": "stiffness_error_Pa_per_m", "joint_stiffness": "stiffness_N_per_m",
-    "loading_stiffness": "loading_stiffness_Pa_per_m", "tangential_stiffness": "tangential_stiffness_Pa_per_m",
-    "loss_factor": "loss_factor", "reflection": "reflection", "shear_reflection": "shear_reflection",
-    "thermal_conductance": "thermal_conductance_W_per_m2K", "electrical_conductance": "electrical_conductance_S_per_m2",
-    "thermal_resistance": "thermal_resistance_K_per_W", "resistance": "resistance_ohm",
-    "real_area_fraction": "real_area_fraction", "contact_density": "contacts_per_m2", "law": "law",
+FIELDS = {word: key for word, key, _ in _core.quantities} | {
+    "stiffness_error": "stiffness_error_Pa_per_m", "real_area_fraction": "real_area_fraction",
+    "contact_density": "contacts_per_m2", "law": "law",
 }  # fmt: skip
 
 
 class Columns(Table["npt.NDArray[Any]"]):
     """A mapping from the column names of `fstiff run --format csv` to arrays in SI units; those that are there are attributes too.
 
-    What follows from K has the ends of its 90 % band: `stiffness.low`, `stiffness.high`; None where it has no band.
+    The attributes are the words of output.quantities in docs/scene.md, such as `stiffness` and `tangential_stiffness`, and
+    `pressure`, `force`, `law`, `stiffness_error`. What follows from K has the ends of its 90 % band: `stiffness.low`,
+    `stiffness.high`; None where it has no band.
     """
-
-    if TYPE_CHECKING:
-        pressure: Values  #: nominal [Pa]
-        force: Values  #: on the nominal area [N]
-        separation: Values  #: of the mean planes [m]
-        approach: Values  #: of the faces since they were seated [m]
-        stiffness: Values  #: normal stiffness K per nominal area [Pa/m]
-        stiffness_error: Values  #: a bound of the error of K for exact inputs [Pa/m]
-        joint_stiffness: Values  #: K of the nominal area [N/m]
-        loading_stiffness: Values  #: -dp/dd [Pa/m]
-        tangential_stiffness: Values  #: per nominal area [Pa/m]
-        loss_factor: Values  #: of a tangential cycle
-        reflection: Values  #: |R| of longitudinal waves
-        shear_reflection: Values  #: |R| of shear waves
-        thermal_conductance: Values  #: [W/(m^2 K)]
-        electrical_conductance: Values  #: [S/m^2]
-        thermal_resistance: Values  #: of spots and gap [K/W]
-        resistance: Values  #: electrical [ohm]
-        real_area_fraction: Values  #: real area of contact over the nominal area
-        contact_density: Values  #: number of contacts per nominal area [1/m^2]
-        law: Any  #: the name of the law, at each point
 
     def __getattr__(self, name: str) -> Any:
         values = self.__dict__.get("_values", {})

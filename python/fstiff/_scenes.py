@@ -11,10 +11,11 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Literal, Union
 
 from . import _core
+from ._answer import Answer
 from ._contacts import Contact
 from ._errors import named, word
 from ._pictures import draw_curves
-from ._results import Columns, Table, draw, frame, heading, lines_of, shown, text_table, whole, with_unit
+from ._results import Columns, Table, frame, heading, lines_of, shown, text_table, whole, with_unit
 from ._surfaces import measured_of, options_of, with_surface
 from ._units import as_text, has_units
 
@@ -28,45 +29,6 @@ if TYPE_CHECKING:
 
     Given: TypeAlias = Union[str, os.PathLike[str], Mapping[str, Any], None]
     Face: TypeAlias = Union[str, os.PathLike[str], Measurable, None]
-
-
-class Answer(Columns):
-    """The answer of a scene: a mapping from the keys of `answer` in `fstiff run --format json` to arrays, a pressure each.
-
-    "pressure_Pa", "stiffness_Pa_per_m", the ends of its 90 % band "stiffness_p05_Pa_per_m" and "stiffness_p95_Pa_per_m", "law";
-    "stiffness_N_per_m" where the scene has an area, "loading_stiffness_Pa_per_m" where peaks yield. Values that a row lacks are NaN.
-
-    rows           the same as a list of dicts
-    causes         for each pressure the share that each cause has of the band
-    ball           of a scene with contact.ball_radius, the contact under each force as a dict
-    explanation    at most three sentences: which stiffness it is, which law gave it, what makes its band
-    outside_band   what the band does not hold
-    """
-
-    def __init__(self, document: dict[str, Any], table: list[list[str]]) -> None:
-        import numpy as np
-
-        self._table = table
-        self.rows: list[dict[str, Any]] = document["answer"]
-        self.ball: list[dict[str, float]] = document.get("ball", [])
-        self.causes: list[dict[str, float]] = [row["causes"] for row in self.rows]
-        self.explanation: list[str] = document["explanation"]
-        self.outside_band: str = document["outside_band"]
-        keys = dict.fromkeys(key for row in self.rows for key in row if key != "causes")
-        self._values = {key: np.asarray([row.get(key, np.nan) for row in self.rows]) for key in keys}
-
-    def plot(self, ax: Axes | None = None) -> Axes:
-        """Draws K over the pressure with its band at the pressures of the scene; returns the axes. Curves.plot() has more of them."""
-        k = self.stiffness
-        return draw(ax, "pressure_Pa", "stiffness_Pa_per_m", [("", self.pressure, k, k.low, k.high)])
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """The rows as a data frame of pandas."""
-        return frame(dict(self))
-
-    def __repr__(self) -> str:
-        sentences = [*self.explanation, self.outside_band] if self.rows else ["no law answers"]
-        return f"<fstiff.Answer>\n{text_table(self._table)}" + "".join(f"\n{one}" for one in sentences)
 
 
 class Curves(Columns):
@@ -91,7 +53,7 @@ class Curves(Columns):
         self._curves: list[tuple[str, float | None, float | None, int]] = found["curves"]
         self.name = scene.name
         self.warnings: list[str] = found["warnings"]
-        self.answer = Answer(json.loads(found["document"]), found["answer_table"])
+        self.answer = Answer.of_scene(found, json.loads(found["document"]))
         self.explanation = self.answer.explanation
         self._best: bool = found["best"]
         self.effective_modulus: float = found["effective_modulus"]

@@ -8,8 +8,7 @@
 
 #include <fstiff/answer.hpp>
 #include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/derived.hpp>
+#include <fstiff/answer/resolved_joint.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 
 #include <nanobind/stl/map.h>
@@ -138,29 +137,39 @@ Joint joint_of(const Solid& upper, const Solid& lower, const Numbers& numbers) {
     return joint;
 }
 
-struct Derived {
-    const char* name;
-    const char* suffix;
-    std::optional<Banded> AnswerPoint::*value;
-    const char* needs;
-};
-constexpr Derived derived[]{
-    {"tangential_stiffness", "_Pa_per_m", &AnswerPoint::tangential_stiffness, ""},
-    {"loss_factor", "", &AnswerPoint::loss_factor, "friction and amplitude"},
-    {"reflection", "", &AnswerPoint::reflection, "frequency, and density and velocity of both bodies"},
-    {"shear_reflection", "", &AnswerPoint::shear_reflection,
-     "frequency, and density and shear_velocity of both bodies"},
-    {"thermal_conductance", "_W_per_m2K", &AnswerPoint::thermal_conductance, "thermal_conductivity of both bodies"},
-    {"electrical_conductance", "_S_per_m2", &AnswerPoint::electrical_conductance,
-     "electrical_conductivity of both bodies"}};
-
-const Derived& derived_called(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const Derived& one : derived) {
-        if (one.name == name) return one;
-        names.push_back(one.name);
+/// What the package calls \p need.
+std::string_view words_of(AnswerQuantity::Need need) {
+    switch (need) {
+        case AnswerQuantity::area: return "area";
+        case AnswerQuantity::waves: return "frequency, and density and velocity of both bodies";
+        case AnswerQuantity::shear_waves: return "frequency, and density and shear_velocity of both bodies";
+        case AnswerQuantity::slip: return "friction and amplitude";
+        case AnswerQuantity::heat: return "thermal_conductivity of both bodies";
+        case AnswerQuantity::current: return "electrical_conductivity of both bodies";
+        case AnswerQuantity::gap: return "a scene with the section gap";
+        case AnswerQuantity::bodies: return "upper and lower";
+        case AnswerQuantity::nothing: break;
     }
-    throw domain_error("quantities = \"" + name.substr(0, 40) + "\": must be among " + document::list_of(names));
+    return "";
+}
+
+/// What \p quantity needs that \p joint has not.
+AnswerQuantity::Need lack_of(const AnswerQuantity& quantity, const Joint& joint) {
+    detail::ResolvedJoint has;
+    has.upper = joint.upper.elastic, has.nominal_area = joint.nominal_area, has.ultrasound = joint.waves;
+    has.conduction = joint.conduction, has.friction = joint.friction;
+    return detail::lack_of(quantity, has);
+}
+
+/// The quantities called \p names. \throws domain_error unless \p joint has what they need.
+std::vector<const AnswerQuantity*> quantities_called(const std::vector<std::string>& names, const Joint& joint) {
+    std::vector<const AnswerQuantity*> quantities;
+    for (const std::string& name : names) {
+        quantities.push_back(&detail::quantity_called(name, "quantities"));
+        if (const auto need = lack_of(*quantities.back(), joint); need != AnswerQuantity::nothing)
+            throw domain_error("quantities: " + name + " needs " + std::string(words_of(need)));
+    }
+    return quantities;
 }
 
 /// Columns of count x pressures numbers, by their keys.
@@ -179,12 +188,13 @@ struct Columns {
         if (column.empty()) column.assign(count * pressures, none);
         return column[place];
     }
-    void put(const std::string& name, const std::string& suffix, std::size_t place, const Banded& value) {
-        at(name + suffix, place) = value.value;
-        at(name + "_p05" + suffix, place) = value.low;
-        at(name + "_p95" + suffix, place) = value.high;
+    void put(const AnswerQuantity& quantity, std::size_t place, const Banded& value) {
+        at(quantity.key(), place) = value.value;
+        if (!quantity.follows_stiffness()) return;
+        at(quantity.key("_p05"), place) = value.low;
+        at(quantity.key("_p95"), place) = value.high;
     }
-    void put(const Answer& found, std::size_t i, const std::vector<const Derived*>& wanted) {
+    void put(const Answer& found, std::size_t i, const std::vector<const AnswerQuantity*>& wanted) {
         for (std::size_t k = 0; k < pressures; ++k) {
             const AnswerPoint& point = found.points[k];
             const std::size_t place = i * pressures + k;
@@ -194,18 +204,17 @@ struct Columns {
                 reasons[place] = point.reason;
                 continue;
             }
-            put("stiffness", "_Pa_per_m", place, point.stiffness);
+            put(detail::quantity_called("stiffness"), place, point.stiffness);
             at("loading_stiffness_Pa_per_m", place) = point.loading_stiffness.value_or(none);
-            at("approach_m", place) = point.approach.value_or(none);
+            at("approach_m", place) = point["approach"];
             at("contacts", place) = point.contacts.value_or(none);
             at("p_star", place) = point.p_star.value_or(none);
             const auto shares = shares_of(point.causes);
             for (std::size_t c = 0; c < shares.size(); ++c)
                 at("causes/" + std::string(name_of(static_cast<Cause>(c))), place) = shares[c];
-            for (const Derived* derived : wanted) {
-                if (!(point.*derived->value))
-                    throw domain_error("quantities: " + std::string(derived->name) + " needs " + derived->needs);
-                put(derived->name, derived->suffix, place, *(point.*derived->value));
+            for (const AnswerQuantity* quantity : wanted) {
+                const AnswerPoint::Value* value = point.find(quantity->word);
+                put(*quantity, place, value ? value->number : Banded{});
             }
         }
         std::vector<std::string>& names = concerns.emplace_back();
@@ -248,9 +257,8 @@ nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<F
     Columns columns{.count = count, .pressures = pressures.size()};
     {
         const nb::gil_scoped_release free;
-        std::vector<const Derived*> wanted;
-        for (const std::string& name : quantities) wanted.push_back(&derived_called(name));
         Joint joint = joint_of(bodies.first, bodies.second, numbers);
+        const std::vector<const AnswerQuantity*> wanted = quantities_called(quantities, joint);
         AnswerOptions how;
         how.progress = until_interrupted();
         if (const auto found = numbers.find("samples"); found != numbers.end())
@@ -258,7 +266,11 @@ nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<F
         if (const auto found = numbers.find("seed"); found != numbers.end())
             how.seed = static_cast<std::uint64_t>(found->second);
         if (const auto found = numbers.find("seating"); found != numbers.end()) how.seating = found->second;
-        how.approach = numbers.contains("seating");
+        if (!numbers.contains("seating"))  // the separation takes more time than all else
+            for (const AnswerQuantity& each : answer_quantities())
+                if (each.of_law != Quantity::separation && each.place > 0 &&
+                    lack_of(each, joint) == AnswerQuantity::nothing)
+                    how.quantities.emplace_back(each.word);
         for (std::size_t i = 0; i < count; ++i) {
             how.progress("joints", i, count);
             try {

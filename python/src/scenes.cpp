@@ -2,7 +2,7 @@
 // Scenes: their curves as columns, their contacts, their laws for other programs, and parameters of measured curves.
 #include "given.hpp"
 
-#include "actions/compute.hpp"
+#include "actions/explanation.hpp"
 #include "actions/export.hpp"
 #include "actions/identify.hpp"
 #include "actions/measure.hpp"
@@ -40,15 +40,16 @@ Scene scene_of_file(const std::string& file, const std::string& surface, const s
 }
 
 /// The columns of the CSV, of all curves one below the other: numbers as an array, texts as a list.
-nb::list columns_of(const actions::Results& results) {
+nb::list columns_of(const actions::Answered& answered) {
+    const auto& scene = *answered.scene;
     struct Column {
         std::string key;
         std::vector<std::string> words;
         std::vector<double> numbers;
     };
     std::vector<Column> all;
-    for (const actions::Curve& curve : results.curves) {
-        const document::Rows rows = point_rows(results, curve);
+    for (const AnswerCurve& curve : answered.curves()) {
+        const document::Rows rows = point_rows(scene, curve, answered.has_band());
         std::size_t place = 0;
         for (const document::Rows::Column& column : rows.columns()) {
             if (!column.heading.csv || column.heading.key.empty()) continue;
@@ -74,26 +75,24 @@ nb::list columns_of(const actions::Results& results) {
 }
 
 nb::dict run(const Scene& scene) {
-    const actions::Results results = [&] {
+    const actions::Answered answered = [&] {
         const nb::gil_scoped_release free;
         return actions::compute(scene, until_interrupted());
     }();
     nb::list curves;
-    for (const actions::Curve& curve : results.curves)
-        curves.append(nb::make_tuple(laws_of(curve), curve.theta, curve.r, curve.states.size()));
+    for (const AnswerCurve& curve : answered.curves())
+        curves.append(nb::make_tuple(laws_of(curve), curve.theta, curve.r, count_of(curve)));
     nb::dict bands;  // of a column: those of the ends of its band
-    for (const scene::Column& column : results.curves.front().columns)
-        if (column.statistic == scene::Statistic::p05)
-            bands[scene::Column{column.quantity}.key().c_str()] =
-                nb::make_tuple(column.key(), scene::Column{column.quantity, scene::Statistic::p95}.key());
+    for (const scene::NumberOf& column : scene.columns(answered.has_band()))
+        if (column.part == "_p05")
+            bands[column.quantity->key().c_str()] = nb::make_tuple(column.key(), column.quantity->key("_p95"));
     nb::dict all;
-    all["columns"] = columns_of(results);
+    all["columns"] = columns_of(answered);
     all["bands"] = bands;
     all["curves"] = curves;
-    all["warnings"] = results.warnings;
+    all["warnings"] = answered.warnings;
     nb::list lines;
-    for (const actions::InputLine& line : input_lines(scene, results))
-        lines.append(nb::make_tuple(line.label, line.parts));
+    for (const actions::InputLine& line : input_lines(answered)) lines.append(nb::make_tuple(line.label, line.parts));
     all["input_lines"] = lines;
     nb::list checks;
     const auto add_checks = [&](const std::string& of, const std::vector<Check<double>>& made) {
@@ -101,21 +100,22 @@ nb::dict run(const Scene& scene) {
             checks.append(nb::make_tuple(of, std::string(name_of(check.concern)), check.least, check.greatest,
                                          check.limit, check.holds()));
     };
-    add_checks("surface", results.surface_checks);
-    for (const actions::Curve& curve : results.curves) add_checks(title(curve), curve.checks);
+    add_checks("surface", surface_checks(scene.joint));
+    for (const AnswerCurve& curve : answered.curves()) add_checks(title(curve), curve.checks);
     all["checks"] = checks;
-    all["answer_table"] = results.answer ? answer_table(scene, results) : document::TextRows();
-    all["document"] = run_document(scene, results).str();
+    all["answer_table"] = answered.has_answer() ? answer_table(answered) : document::TextRows();
+    all["document"] = run_document(answered).str();
     all["best"] = scene.best;
-    all["effective_modulus"] = results.modulus;
-    all["doubtful"] = results.doubtful;
+    all["effective_modulus"] = scene.joint.effective_modulus;
+    all["doubtful"] = answered.doubtful;
+    all["rms_height"] = answered.answer.rms_height;
     return all;
 }
 
 /// Every measured face: its name, and the document of fstiff measure.
 nb::list measured_of(const Scene& scene) {
     nb::list faces;
-    for (const auto& [name, face, file] : measured_files(scene))
+    for (const auto& [name, face, file] : scene.measured_files())
         for (const auto& surface : scene.measured)
             if (surface.get() == file)
                 faces.append(nb::make_tuple(std::string(name),
@@ -128,7 +128,7 @@ actions::OneContact contact(const Scene& scene, const std::string& law, std::siz
     std::size_t place = 0;
     Scene of = scene;
     if (!law.empty()) {
-        of.laws = offered_laws(scene);
+        of.laws = scene.offered_laws();
         std::vector<std::string_view> names;
         for (const detail::Law* law : of.laws) names.push_back(law->name);
         while (place < names.size() && names[place] != law) ++place;
@@ -177,10 +177,10 @@ document::ShownUnit unit_of(const In& values, std::string_view si) {
 
 /// How the tables of the command call a column of \p values, with its unit, and the factor from SI.
 nb::tuple heading(const std::string& key, const In& values) {
-    for (const scene::CurveQuantityRow& row : scene::curve_quantities())
-        if (const scene::Column column{row.quantity}; column.key() == key) {
-            const document::ShownUnit unit = unit_of(values, row.unit);
-            return nb::make_tuple(unit.heading(row.symbol), unit.factor);
+    for (const AnswerQuantity& quantity : answer_quantities())
+        if (quantity.key() == key) {
+            const document::ShownUnit unit = unit_of(values, quantity.unit);
+            return nb::make_tuple(unit.heading(quantity.symbol), unit.factor);
         }
     return nb::make_tuple(key, 1.);
 }
@@ -211,6 +211,10 @@ void add_scenes(nb::module_& m) {
     m.def("identify", &identified, nb::arg("scene"), nb::arg("options"), nb::arg("curve").none());
     m.def("ultrasound", &ultrasound, nb::arg("options"), nb::arg("curve").none());
     m.def("export", &exported, nb::arg("scene"), nb::arg("options"));
+    nb::list quantities;
+    for (const AnswerQuantity& each : answer_quantities())
+        quantities.append(nb::make_tuple(std::string(each.word), each.key(), std::string(each.title)));
+    m.attr("quantities") = quantities;
     m.def("heading", &heading, nb::arg("key"), nb::arg("values"));
     m.def(
         "shown_unit",

@@ -82,7 +82,7 @@ std::string heading_of(const scene::Scene& scene, const LawInModel& law, const E
     say("fstiff " FSTIFF_VERSION_TEXT ": contact law for " + std::string(name_of(request.to)) +
         ", pressure against overclosure; its slope is " + slope_of(table));
     say("scene     " + scene.name + " (" + scene.file + "), SHA-256 " + scene.sha256);
-    for (const auto& [name, face, file] : measured_files(scene))
+    for (const auto& [name, face, file] : scene.measured_files())
         say(std::string(name) + "   " + file->file + ", SHA-256 " + file->sha256);
     say("law       " + table.title);
     const auto slope = [&](double K) { return document::rounded(units.stiffness(K), 4); };
@@ -186,8 +186,8 @@ document::Document document_of(const scene::Scene& scene, const ExportRequest& r
     if (request.to == Solver::law) return of_text(law_text(scene, wanted));
     const PressureTable table = pressure_table(scene, wanted);
     LawInModel law{.table = table, .units = units, .tolerance = {wanted.tolerance, wanted.slope_tolerance}};
-    law.at = pressure_of_friction(scene, table, request);
-    if (scene.friction) law.friction = scene.friction->coefficient;
+    law.at = pressure_of_friction(scene.joint, table, request);
+    if (scene.joint.friction) law.friction = scene.joint.friction->coefficient;
     const std::string text = heading_of(scene, law, request) + body_of(law, request.to);
     document::Document document = of_text(text);
     document.warnings = table.warnings;

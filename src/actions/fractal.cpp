@@ -151,7 +151,7 @@ std::string note_of(const FractalFit<double>& fit) {
 
 Strings warnings_of(const FractalOptions& options, const ProfileFractal& result) {
     Strings sentences;
-    for (const MeasuredConcern concern : concerns_of<double>(result.fit, result.levelled, result.spectrum))
+    for (const MeasuredConcern concern : detail::concerns_of<double>(result.fit, result.levelled, result.spectrum))
         sentences.push_back(concern == MeasuredConcern::spectrum_differs
                                 ? "D from the power spectrum, " + document::rounded(result.spectrum->dimension, 4) +
                                       ", is another one: over its wavelengths the profile follows another law"
@@ -163,7 +163,7 @@ Strings warnings_of(const FractalOptions& options, const DirectionalFit<double>&
     Strings sentences;
     for (const auto* along : {&fit.x, &fit.y})
         if (*along)
-            for (const MeasuredConcern concern : concerns_of(**along))
+            for (const MeasuredConcern concern : detail::concerns_of(**along))
                 sentences.push_back((along == &fit.x ? "along x: " : "along y: ") +
                                     sentence(concern, **along, options.surface.prefix));
     if (!fit.x) sentences.push_back("along x: no fit: " + fit.why_no_fit_x);
@@ -358,7 +358,7 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
         std::optional<LengthRange<double>> window;  // without the waves below lambda_s
         if (const auto shortest = result.levelled.cut_offs.lambda_s; shortest && *shortest > 16 * profile.spacing)
             window = {*shortest, 2 * std::numbers::pi_v<double> / spectrum.step / 8};
-        const SpectralFit<double> fit = detail::fit_spectrum(spectrum, window);
+        const detail::SpectralFit<double> fit = detail::fit_spectrum(spectrum, window);
         detail::require(fit.dimension > 1 && fit.dimension < 2, "D of the power spectrum", fit.dimension,
                         "between 1 and 2: over these wavelengths the profile is not self-affine");
         return fit;

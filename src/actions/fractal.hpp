@@ -45,7 +45,7 @@ struct FractalOptions {
 struct ProfileFractal {
     PreparedProfile<double> levelled;
     FractalFit<double> fit;
-    std::optional<SpectralFit<double>> spectrum;
+    std::optional<detail::SpectralFit<double>> spectrum;
     std::optional<SpectralMoments<double>> moments;
     std::optional<PeakStatistics<double>> peaks;
     std::string no_spectrum, no_moments, no_peaks;

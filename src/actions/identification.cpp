@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/identify.hpp"
 
-#include "actions/results.hpp"
 #include "actions/ultrasound.hpp"
 #include "document/shown_unit.hpp"
 
@@ -214,24 +213,24 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
     if (!curve.is_reflection && request.shear)
         throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
     if (!curve.is_reflection) return std::nullopt;
-    if (!scene.ultrasound)
+    if (!scene.joint.ultrasound)
         throw domain_error(scene.file + ": ultrasound: is missing; the reflections of " + curve.name +
                            " need the section");
-    const Waves& waves = *scene.ultrasound;
+    const Waves& waves = *scene.joint.ultrasound;
     if (!request.shear) return Wave<double>{waves.longitudinal, waves.angular(), 1, waves.film_stiffness};
     if (!waves.shear)
         throw domain_error(scene.file + ": ultrasound.upper.shear_impedance: is missing; " + name +
                            " shear needs it, or density and shear_velocity");
-    return Wave<double>{*waves.shear, waves.angular(), tangential_ratio(scene.upper, scene.lower)};
+    return Wave<double>{*waves.shear, waves.angular(), tangential_ratio(scene.joint.upper, scene.joint.lower)};
 }
 
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.
 std::vector<const Law*> laws_of(const Scene& scene, const FitRequest& request) {
     if (request.law.empty()) return scene.laws;
     const Law* law = detail::find_law(request.law);
-    const std::string why = law->needs_dimension && !scene.face.dimension()
+    const std::string why = law->needs_dimension && !scene.joint.face.dimension()
                                 ? "needs surface.fractal_dimension, which is missing"
-                                : refusal_of(*law, scene);
+                                : scene.refusal_of(*law);
     if (!why.empty())
         throw domain_error(scene.file + ": law \"" + request.law + "\", which " + option_name(request.prefix, "law") +
                            " asks for, " + why);
@@ -249,13 +248,13 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
             continue;
         }
         const auto add = [&](const detail::Peaks* peaks) {
-            Fit fit{law, {}, {}, start_of(scene, peaks), {}, {}};
+            Fit fit{law, {}, {}, start_of(scene.joint, peaks), {}, {}};
             if (law->has_peaks) fit.theta = fit.start.theta, fit.r = fit.start.r;
             fit.points = curve.points_of({std::string(law->name), fit.theta, fit.r});
             fits.push_back(std::move(fit));
         };
-        for (const detail::Peaks& peaks : peaks_of(*law, scene)) add(&peaks);
-        if (!law->has_peaks) add(scene.peaks.empty() ? nullptr : &scene.peaks.front());
+        for (const detail::Peaks& peaks : peaks_of(*law, scene.joint)) add(&peaks);
+        if (!law->has_peaks) add(scene.joint.peaks.empty() ? nullptr : &scene.joint.peaks.front());
     }
     if (fits.empty())
         throw domain_error(scene.file + ": contact.laws: must name " + document::list_of(detail::fitted_law_names()) +
@@ -271,9 +270,9 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
 /// Refuses parameters that \p scene has no value of, or that follow from others. \throws option_error, domain_error
 void require_known(const Scene& scene, const FitRequest& request) {
     const std::string option = option_name(request.prefix, "fit");
-    if (has(request.wanted, Parameter::fractal_dimension) && !scene.face.dimension())
+    if (has(request.wanted, Parameter::fractal_dimension) && !scene.joint.face.dimension())
         throw domain_error(scene.file + ": surface.fractal_dimension: is missing; " + option + " D starts from it");
-    if (has(request.wanted, Parameter::hardness) && !std::isfinite(hardness_of(scene)))
+    if (has(request.wanted, Parameter::hardness) && !std::isfinite(hardness_of(scene.joint)))
         throw domain_error(scene.file + ": material.upper.hardness: is infinite; " + option +
                            " hardness starts from it, or from its range");
     for (const Parameter each : {Parameter::peak_radius, Parameter::peak_density})
@@ -282,7 +281,7 @@ void require_known(const Scene& scene, const FitRequest& request) {
                 option + " " + std::string(detail::row_of(each).short_name) +
                 ": follows from sigma, g and alpha where g or alpha is fitted; fit one pair or the other");
     for (const Parameter each : {Parameter::rms_gradient, Parameter::alpha})
-        if (has(request.wanted, each) && scene.face.map && scene.face.spectrum_of_map)
+        if (has(request.wanted, each) && scene.joint.face.map && scene.joint.face.spectrum_of_map)
             throw domain_error(scene.file + ": " + option + " " + std::string(detail::row_of(each).short_name) +
                                ": the surface is a map, whose heights scale with sigma alone; [contact.persson] "
                                "spectrum = \"moments\" replaces it with numbers");
@@ -338,7 +337,7 @@ std::vector<ContactPoint<double>> fitted_points(const ResolvedJoint& problem, co
 }
 
 Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
-    if (scene.reading != InteractionReading::none)
+    if (scene.joint.reading != InteractionReading::none)
         throw domain_error(scene.file +
                            ": contact.interaction: must be \"none\" to identify parameters: the fitted K is that of "
                            "the interface alone");
@@ -361,24 +360,24 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
         const auto data = observations(curve, fit.points);
         const detail::FitInputs inputs{data, request.wanted, fit.start, options};
         detail::located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
-            fit.found = found_by(scene, fit, inputs);
-            widen_by_law(scene, fit, inputs);
+            fit.found = found_by(scene.joint, fit, inputs);
+            widen_by_law(scene.joint, fit, inputs);
         });
     }
-    for (const Parameter unknown : unknown_parameters(scene, scene.best))  // held at an assumed value
+    for (const Parameter unknown : unknown_parameters(scene.joint, scene.best))  // held at an assumed value
         if (!has(request.wanted, unknown)) fits.doubtful = true;
     if (scene.implausible) fits.doubtful = true;
     std::size_t sound = 0;
     for (const Fit& fit : fits.fits) {
         bool doubted = false;
-        for (const auto& finding : concerns_of(fit.found)) {
+        for (const auto& finding : detail::concerns_of(fit.found)) {
             fits.warnings.push_back(title(fit) + ": " + sentence(fit, finding));
             if (detail::is_fatal(finding.concern)) fits.doubtful = true;
             doubted = doubted || detail::is_doubtful(finding.concern);
         }
-        if (const std::string flow = flow_of(scene, fit, request.wanted); !flow.empty()) {
+        if (const std::string flow = flow_of(scene.joint, fit, request.wanted); !flow.empty()) {
             fits.warnings.push_back(title(fit) + ": " + flow);
-            doubted = doubted || !scene.hardness_range;
+            doubted = doubted || !scene.joint.hardness_range;
         }
         sound += !doubted;
     }

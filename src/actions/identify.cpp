@@ -112,7 +112,7 @@ Json fit_json(const detail::ResolvedJoint& problem, const Identified& identified
     entry["errors_known"] = identification.errors_known;
     entry["evaluations"] = identification.evaluations;
     Json& concerns = entry["concerns"] = Json::array();
-    for (const auto& finding : concerns_of(identification)) concerns.push_back(name_of(finding.concern));
+    for (const auto& finding : detail::concerns_of(identification)) concerns.push_back(name_of(finding.concern));
     Json& parameters = entry["parameters"] = Json::array();
     for (const auto& p : identification.parameters) parameters.push_back(parameter_json(fit, p));
     if (identification.covariance.size() > 0) {
@@ -236,7 +236,7 @@ void add_fit(document::Document& document, const Identified& identified, const F
 
 }  // namespace
 
-std::string sentence(const Fit& fit, const FitFinding<double>& finding) {
+std::string sentence(const Fit& fit, const detail::FitFinding<double>& finding) {
     const std::string names = names_of(finding.parameters);
     switch (finding.concern) {
         case FitConcern::singular:
@@ -312,7 +312,7 @@ document::Document document_of(const scene::Scene& scene, const Identified& iden
     document::Document document("identify", 10);
     introduce(document, scene, identified);
     for (const Fit& fit : identified.found.fits) add_fit(document, identified, fit);
-    document.values([problem = detail::ResolvedJoint(scene), identified](Json& to) {
+    document.values([problem = detail::ResolvedJoint(scene.joint), identified](Json& to) {
         Json& fits = to["fits"] = Json::array();
         for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(problem, identified, fit));
     });

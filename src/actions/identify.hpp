@@ -86,7 +86,7 @@ struct Fit {
 /// "hertz, theta = 0.7854, r = 0.5", or the law alone.
 [[nodiscard]] std::string title(const Fit& fit);
 /// What \p finding means for \p fit.
-[[nodiscard]] std::string sentence(const Fit& fit, const FitFinding<double>& finding);
+[[nodiscard]] std::string sentence(const Fit& fit, const detail::FitFinding<double>& finding);
 
 struct Fits {
     std::vector<Fit> fits;

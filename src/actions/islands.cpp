@@ -106,7 +106,7 @@ document::Document document_of(const IslandsRequest& options, std::optional<surf
     SurfaceParameters<double> pair;
     pair.peak_radius = {r.radius, r.radius_error};
     pair.peak_density = {r.density, r.density_error};
-    const std::vector<MeasuredConcern> concerns = concerns_of(r);
+    const std::vector<MeasuredConcern> concerns = detail::concerns_of(r);
     document.warnings = surface::peak_warnings(concerns, r.islands, pair);
     document.doubtful =
         std::any_of(concerns.begin(), concerns.end(), [](auto concern) { return detail::is_fatal(concern); });

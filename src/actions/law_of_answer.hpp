@@ -2,7 +2,7 @@
 #pragma once
 // The law of the answer of a scene, whose slope is K: for a table of a finite-element program, or as text.
 
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/core/parallel.hpp>
@@ -14,7 +14,7 @@ namespace fstiff::actions {
 
 /// The law of the answer, or of an end of its band, and the answer that it goes through.
 struct LawOfAnswer {
-    Results results;         ///< of the nodes; `answer` is there, with its band
+    Answered answered;       ///< of the nodes
     ContactLaw<double> law;  ///< from the first node with a K to the last; separations from that of the last on
 };
 
@@ -27,6 +27,7 @@ struct LawOfAnswer {
 /// \p found at the pressures \p pressures [Pa] with the columns of \p scene. The loading stiffness is K: the law of a
 /// contact that has closed. The mean planes are as far apart as in the answer at the greatest pressure, and recede from
 /// there by the law. Pressures without a K are left out.
-[[nodiscard]] Curve curve_at(const LawOfAnswer& found, const scene::Scene& scene, const std::vector<double>& pressures);
+[[nodiscard]] AnswerCurve curve_at(const LawOfAnswer& found, const scene::Scene& scene,
+                                   const std::vector<double>& pressures);
 
 }  // namespace fstiff::actions

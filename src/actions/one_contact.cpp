@@ -115,9 +115,9 @@ OneContact make_contact(const std::string& law, Joint joint, const ProgressHook&
 OneContact make_contact(const scene::Scene& scene, std::size_t law, std::size_t peaks, const ProgressHook& progress) {
     if (law >= scene.laws.size()) refuse_entry("law", law, "an entry of contact.laws");
     const detail::Law& chosen = *scene.laws[law];
-    if (peaks >= (chosen.has_peaks ? peaks_of(chosen, scene).size() : 1))
+    if (peaks >= (chosen.has_peaks ? peaks_of(chosen, scene.joint).size() : 1))
         refuse_entry("peaks", peaks, "an entry of contact.peaks, 0 without joint peaks");
-    return only_contact(std::make_shared<const detail::ResolvedJoint>(scene), chosen, peaks, progress);
+    return only_contact(std::make_shared<const detail::ResolvedJoint>(scene.joint), chosen, peaks, progress);
 }
 
 std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure) {

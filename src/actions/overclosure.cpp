@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/overclosure.hpp"
 
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/law_of_answer.hpp"
 #include "actions/one_contact.hpp"
-#include "actions/results.hpp"
 #include "document/file.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/derived.hpp>
-#include <fstiff/answer/request.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
@@ -59,7 +55,7 @@ ChordErrors error_of_rows(const std::vector<Line>& lines, const std::vector<std:
     return worst;
 }
 
-using scene::CurveQuantity, scene::Scene;
+using scene::Scene;
 
 namespace {
 
@@ -67,11 +63,11 @@ bool has_separation(const detail::Law& law) { return detail::has(law.quantities,
 
 const detail::Law& law_of(const Scene& scene, const PressureTableOptions& options) {
     if (options.quantile) {
-        detail::ResolvedJoint problem = scene;
+        detail::ResolvedJoint problem = scene.joint;
         return detail::law_of_answer(problem, false);
     }
     const std::string& name = options.law;
-    const std::vector<const detail::Law*> laws = name.empty() ? scene.laws : offered_laws(scene);
+    const std::vector<const detail::Law*> laws = name.empty() ? scene.laws : scene.offered_laws();
     std::vector<std::string_view> names;
     for (const detail::Law* law : laws) {
         if (has_separation(*law) && (name.empty() || name == law->name)) return *law;
@@ -106,19 +102,20 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
 
     Scene fine = scene;
     fine.laws = {&law_of(scene, options)};
-    if (!scene.peaks.empty()) {
-        detail::require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.peaks.size(),
+    if (!scene.joint.peaks.empty()) {
+        detail::require(options.peaks >= 1 && static_cast<std::size_t>(options.peaks) <= scene.joint.peaks.size(),
                         surface::option_name(options.prefix, "peaks"), options.peaks,
-                        "between 1 and " + std::to_string(scene.peaks.size()) + ", as many as contact.peaks has");
-        fine.peaks = {scene.peaks[static_cast<std::size_t>(options.peaks) - 1]};
+                        "between 1 and " + std::to_string(scene.joint.peaks.size()) + ", as many as contact.peaks has");
+        fine.joint.peaks = {scene.joint.peaks[static_cast<std::size_t>(options.peaks) - 1]};
     }
     fine.samples = 0;
     fine.best = fine.solves_map = false;
-    using enum CurveQuantity;
-    for (const CurveQuantity quantity : {separation, stiffness, loading_stiffness}) fine.ask(quantity);
-    for (const CurveQuantity quantity : {real_area, contacts, reflection, shear_reflection, loss_factor})
-        fine.ask(quantity, false);
-    fine.ask(tangential_stiffness, scene.asks(tangential_stiffness) || scene.friction);
+    for (const char* word : {"separation", "stiffness", "loading_stiffness"}) fine.quantities.emplace(word);
+    std::erase_if(fine.quantities, [](const std::string& word) {
+        const AnswerQuantity& quantity = detail::quantity_called(word);
+        return word == "real_area" || word == "contacts" || (quantity.needs & (quantity.waves | quantity.slip)) != 0;
+    });
+    if (scene.joint.friction) fine.quantities.emplace("tangential_stiffness");
     fine.at_separations = false;
     // the chord of an exponential is off by (log ratio)^2/8, and its slope by (log ratio)/2
     const double decades = std::log(to / from), by_slope = 2 * options.slope_tolerance;
@@ -135,34 +132,40 @@ Scene fine_scene(const Scene& scene, const PressureTableOptions& options) {
 std::vector<double> answered_between(const Scene& scene, double from, double to) {
     std::vector<double> kept;
     if (scene.at_separations) return kept;
-    for (const std::size_t place : points_of_answer(scene))
+    for (const std::size_t place : scene.points_of_answer())
         if (const double p = scene.points[place]; p >= from * (1 - 1e-9) && p <= to * (1 + 1e-9)) kept.push_back(p);
     return kept;
 }
 
-/// The states of the answer \p curve whose pressures are among \p pressures.
-std::vector<PressureTable::Answer> rows_of(const Curve& curve, const std::vector<double>& pressures) {
+/// The points of \p answer whose pressures are among \p pressures.
+std::vector<PressureTable::Answer> rows_of(const Answer& answer, const std::vector<double>& pressures) {
     std::vector<PressureTable::Answer> rows;
-    for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const double p = curve.states[i].pressure.value;
-        const auto is_p = [p](double other) { return std::abs(other / p - 1) < 1e-9; };
-        if (std::none_of(pressures.begin(), pressures.end(), is_p)) continue;
-        rows.push_back({p, curve.states[i].stiffness.value, curve.band[i].low, curve.band[i].high,
-                        std::string(curve.law_at(i).name)});
+    for (const AnswerPoint& point : answer.points) {
+        const auto is_own = [&](double other) { return std::abs(other / point.pressure - 1) < 1e-9; };
+        if (!point.ok() || std::none_of(pressures.begin(), pressures.end(), is_own)) continue;
+        rows.push_back({point.pressure, point.stiffness.value, point.stiffness.low, point.stiffness.high,
+                        std::string(name_of(point.law))});
     }
     return rows;
+}
+
+std::vector<ContactState<double>> states_of(const AnswerCurve& curve) {
+    std::vector<ContactState<double>> states;
+    for (const AnswerPoint& point : curve.points)
+        if (point.ok()) states.push_back(point.state);
+    return states;
 }
 
 /// The answer of \p scene, which names no law, at those of its pressures that are between \p from and \p to.
 std::vector<PressureTable::Answer> answer_between(Scene scene, double from, double to, const ProgressHook& progress) {
     scene.points = answered_between(scene, from, to);
     if (scene.points.empty()) return {};
-    return rows_of(compute(scene, progress).answer->curve, scene.points);
+    return rows_of(compute(scene, progress).answer, scene.points);
 }
 
 /// What a table is made of.
 struct Tabulated {
-    Curve curve;  ///< at the pressures of the fine grid
+    AnswerCurve curve;  ///< at the pressures of the fine grid
     std::string title, law;
     std::vector<PressureTable::Answer> answer{};
     std::vector<std::string> warnings{};
@@ -173,41 +176,43 @@ struct Tabulated {
 Tabulated of_answer(const Scene& scene, const Scene& fine, const PressureTableOptions& options) {
     const double from = fine.points.front(), to = fine.points.back();
     const LawOfAnswer found = law_of_answer(scene, *options.quantile, from, to, options.progress);
-    const Curve& answer = found.results.answer->curve;
+    const Answer& answer = found.answered.answer;
     const std::string end = *options.quantile < 0.5   ? ", the 5 % end of its band"
                             : *options.quantile > 0.5 ? ", the 95 % end of its band"
                                                       : "";
     return {.curve = curve_at(found, fine, fine.points),
-            .title = "of the answer" + end + ", by " + laws_of(answer),
+            .title = "of the answer" + end + ", by " + actions::laws_of(answer),
             .law = "the answer" + end,
             .answer = rows_of(answer, answered_between(scene, from, to)),
-            .warnings = found.results.warnings,
-            .doubtful = found.results.doubtful};
+            .warnings = found.answered.warnings,
+            .doubtful = found.answered.doubtful};
 }
 
 /// The law of \p scene that \p options name, at \p fine.
 Tabulated of_law(const Scene& scene, const Scene& fine, const PressureTableOptions& options) {
-    Results results = compute(fine, options.progress);
-    Tabulated made{.curve = std::move(results.curves.front()),
+    const Answered answered = compute(fine, options.progress);
+    Tabulated made{.curve = answered.curves().front(),
                    .title = {},
                    .law = {},
-                   .warnings = std::move(results.warnings),
-                   .doubtful = results.doubtful};
-    made.title = title(made.curve), made.law = "law " + std::string(made.curve.law->name);
-    if (scene.best && options.law.empty() && !made.curve.states.empty())
-        made.answer = answer_between(scene, made.curve.states.front().pressure.value,
-                                     made.curve.states.back().pressure.value, options.progress);
+                   .warnings = answered.warnings,
+                   .doubtful = answered.doubtful};
+    made.title = title(made.curve), made.law = "law " + std::string(name_of(made.curve.law));
+    const std::vector<ContactState<double>> states = states_of(made.curve);
+    if (scene.best && options.law.empty() && !states.empty())
+        made.answer =
+            answer_between(scene, states.front().pressure.value, states.back().pressure.value, options.progress);
     return made;
 }
 
 /// The least and the greatest slope of \p points over K.
-std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve, const Line& points) {
-    if (!detail::has(curve.law->quantities, Quantity::stiffness) ||
-        !detail::has(curve.law->quantities, Quantity::loading_stiffness))
+std::optional<PressureTable::Range> slope_over_stiffness(const AnswerCurve& curve, const Line& points) {
+    const Quantity given = detail::find_law(curve.law).quantities;
+    if (!detail::has(given, Quantity::stiffness) || !detail::has(given, Quantity::loading_stiffness))
         return std::nullopt;
+    const std::vector<ContactState<double>> states = states_of(curve);
     PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double ratio = points[i].slope / curve.states[i].stiffness.value;
+        const double ratio = points[i].slope / states[i].stiffness.value;
         if (!(ratio > 0)) return std::nullopt;  // boundary elements that flow know K of unloading alone
         range = {std::min(range.least, ratio), std::max(range.greatest, ratio)};
     }
@@ -215,18 +220,19 @@ std::optional<PressureTable::Range> slope_over_stiffness(const Curve& curve, con
 }
 
 /// The pressures of \p curve, and -dp/dd, over the way that the faces have come closer since its first state.
-Line points_of(const Curve& curve) {
+Line points_of(const AnswerCurve& curve) {
     Line points;
-    for (const auto& state : curve.states) {
-        points.push_back({curve.states.front().separation.value - state.separation.value, state.pressure.value,
+    const std::vector<ContactState<double>> states = states_of(curve);
+    for (const auto& state : states) {
+        points.push_back({states.front().separation.value - state.separation.value, state.pressure.value,
                           state.loading_stiffness.value});
         if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
-            throw domain_error("law " + std::string(curve.law->name) + ": the separation does not fall at " +
+            throw domain_error("law " + std::string(name_of(curve.law)) + ": the separation does not fall at " +
                                document::shortest(state.pressure.value) +
                                " Pa; a table needs one that falls as the pressure rises");
     }
     if (points.size() < 2)
-        throw domain_error("law " + std::string(curve.law->name) + ": has no range of pressures there");
+        throw domain_error("law " + std::string(name_of(curve.law)) + ": has no range of pressures there");
     return points;
 }
 
@@ -239,18 +245,15 @@ void set_slopes_of_chords(Line& points, const std::vector<std::size_t>& rows) {
 }
 
 /// The value \p at_zero, then those of \p quantity along \p curve; empty where it has none.
-std::vector<double> values_after(double at_zero, const Curve& curve, CurveQuantity quantity) {
-    for (const scene::Column& column : curve.columns)
-        if (column.quantity == quantity && column.statistic == scene::Statistic::value && !column.values.empty()) {
-            std::vector<double> values{at_zero};
-            values.insert(values.end(), column.values.begin(), column.values.end());
-            return values;
-        }
-    return {};
+std::vector<double> values_after(double at_zero, const AnswerCurve& curve, std::string_view quantity) {
+    std::vector<double> values{at_zero};
+    for (const AnswerPoint& point : curve.points)
+        if (const AnswerPoint::Value* value = point.find(quantity)) values.push_back(value->number.value);
+    return values.size() > 1 ? values : std::vector<double>();
 }
 
 /// \p points, where the overclosure 0 is at \p foot, and the other columns of \p curve.
-LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& points, double foot,
+LawColumns columns_from(const Scene& scene, const AnswerCurve& curve, const Line& points, double foot,
                         double zero_separation) {
     LawColumns columns{.overclosure = {0}, .pressure = {0}, .slope = {0}};
     for (const LinePoint& point : points) {
@@ -258,12 +261,12 @@ LawColumns columns_from(const Scene& scene, const Curve& curve, const Line& poin
         columns.pressure.push_back(point.y);
         columns.slope.push_back(point.slope);
     }
-    columns.tangential = values_after(0, curve, CurveQuantity::tangential_stiffness);
-    columns.current = values_after(0, curve, CurveQuantity::electrical_conductance);
-    columns.heat = values_after(0, curve, CurveQuantity::thermal_conductance);
-    if (columns.heat.empty() || !scene.asks(CurveQuantity::thermal_conductance_gap)) return columns;
-    const double open = detail::conductance_of_gap(scene.conduction, zero_separation);
-    const std::vector<double> gap = values_after(open, curve, CurveQuantity::thermal_conductance_gap);
+    columns.tangential = values_after(0, curve, "tangential_stiffness");
+    columns.current = values_after(0, curve, "electrical_conductance");
+    columns.heat = values_after(0, curve, "thermal_conductance");
+    if (columns.heat.empty() || !scene.asks("thermal_conductance_gap")) return columns;
+    const double open = detail::conductance_of_gap(scene.joint.conduction, zero_separation);
+    const std::vector<double> gap = values_after(open, curve, "thermal_conductance_gap");
     for (std::size_t i = 0; i < columns.heat.size(); ++i) columns.heat[i] += gap[i];
     return columns;
 }
@@ -293,7 +296,7 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
                     "between 0.1 % and 100 %");
     const Scene fine = fine_scene(scene, options);
     Tabulated made = options.quantile ? of_answer(scene, fine, options) : of_law(scene, fine, options);
-    const Curve& curve = made.curve;
+    const AnswerCurve& curve = made.curve;
     Line points = points_of(curve);
     const ChordErrors within = fine_tolerance({options.tolerance, options.slope_tolerance});
     std::vector<std::size_t> chosen = rows_within({points}, within);
@@ -308,7 +311,7 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
                         .law = std::move(made.law),
                         .from = points.front().y,
                         .to = points.back().y,
-                        .zero_separation = curve.states.front().separation.value - foot,
+                        .zero_separation = states_of(curve).front().separation.value - foot,
                         .error = error,
                         .answer = std::move(made.answer),
                         .slope_over_stiffness = slope_over_stiffness(curve, points),

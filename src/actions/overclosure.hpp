@@ -99,7 +99,7 @@ struct PressureTable {
     bool follows_slope =
         true;  ///< false: -dp/dd jumps between neighbouring pressures, and rows keep the pressure alone
     std::vector<std::string> warnings{};
-    bool doubtful = false;  ///< as Results::doubtful
+    bool doubtful = false;  ///< as Answered::doubtful
 };
 
 /// \throws domain_error where the scene has no such law or no separation, for a range without two pressures, and where

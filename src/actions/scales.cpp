@@ -5,10 +5,9 @@
 #include "document/file.hpp"
 #include "document/shown_unit.hpp"
 
-#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/answer.hpp>
+#include <fstiff/answer/face.hpp>
 #include <fstiff/answer/lacks.hpp>
-#include <fstiff/answer/request.hpp>
-#include <fstiff/answer/resolved_joint.hpp>
 #include <fstiff/measure/roughness_cut_off.hpp>
 
 #include <algorithm>
@@ -18,34 +17,22 @@
 namespace fstiff::actions {
 namespace {
 
-std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, const detail::Law& law,
+std::optional<double> stiffness_of(const surface::MeasuredSurface& surface, const ChosenLaw& law,
                                    const ScalesOptions& load) {
     try {
-        detail::ResolvedJoint problem;
-        problem.face = measured_face(surface.found)->face();
-        const Material<double> body{2 * load.modulus, 0.0};  // of which both are
-        problem.effective_modulus = effective_modulus(body, body);
-        if (problem.face.has_peaks())
-            problem.peaks = {
-                {*problem.face.value(Parameter::theta), problem.face.value(Parameter::r), true, {}, "surface."}};
-        if (lack_of(law, problem) != detail::Lack::nothing) return {};
-        const detail::Request request{.points = {load.pressure},
-                                      .laws = {&law},
-                                      .quantities = Quantity::stiffness,
-                                      .samples = 0,
-                                      .answers = false};
-        const detail::Curves curves = curves_of(problem, request);
-        if (curves.named.empty() || curves.named.front().states.empty()) return {};
-        return curves.named.front().states.front().stiffness.value;
+        const Body body{.elastic = {2 * load.modulus, 0.0}};  // of which both are
+        const Joint joint{.face = {.measured = measured_face(surface.found)}, .upper = body, .lower = body};
+        const auto points = contact_of(joint, law)->at_pressures({&load.pressure, 1}, Quantity::stiffness);
+        return points.front().ok() ? std::optional(points.front().state.stiffness.value) : std::nullopt;
     } catch (const domain_error&) {
         return {};
     }
 }
 
-const detail::Law& law_for(const surface::MeasuredSurface& surface) {
+ChosenLaw law_for(const surface::MeasuredSurface& surface) {
     const detail::Face face = measured_face(surface.found)->face();
-    if (lack_of_spectrum(face) == detail::Lack::nothing && (face.has_peaks() || face.map)) return laws::hybrid.row();
-    return (face.has_peaks() ? laws::hertz : laws::greenwood_williamson).row();
+    if (lack_of_spectrum(face) == detail::Lack::nothing && (face.has_peaks() || face.map)) return laws::hybrid;
+    return face.has_peaks() ? laws::hertz : laws::greenwood_williamson;
 }
 
 request::Amount option_of(const std::optional<double>& cut_off) {
@@ -53,16 +40,16 @@ request::Amount option_of(const std::optional<double>& cut_off) {
 }
 
 /// The row of the cut-offs that \p surface has.
-Scale scale_of(const surface::MeasuredSurface& surface, const detail::Law& law, const ScalesOptions& load) {
+Scale scale_of(const surface::MeasuredSurface& surface, const ChosenLaw& law, const ScalesOptions& load) {
     Scale scale{.cut_offs = surface.found.cut_offs, .chosen = true};
     scale.surface = surface;
     scale.stiffness = stiffness_of(surface, law, load);
-    if (!scale.stiffness) scale.refusal = "no K by " + std::string(law.name);
+    if (!scale.stiffness) scale.refusal = "no K by " + std::string(name_of(law.which));
     return scale;
 }
 
 Scale scale_at(surface::MeasureOptions options, const surface::SurfaceInput& input, const CutOffs<double>& cut_offs,
-               const detail::Law& law, const ScalesOptions& load) {
+               const ChosenLaw& law, const ScalesOptions& load) {
     options.neighbours = false;
     options.resamples = 2;  // errors are not asked
     options.input.lambda_s = option_of(cut_offs.lambda_s);
@@ -108,7 +95,7 @@ document::Rows scale_rows(const ScaleRows& scales) {
 
 Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceInput& input,
                  const ScalesOptions& load) {
-    const detail::Law& law = law_for(chosen);
+    const ChosenLaw law = law_for(chosen);
     double step = 0, length = 0;
     if (chosen.found.profile) {
         step = chosen.found.profile->profile.spacing;
@@ -141,7 +128,7 @@ Scales scales_of(const surface::MeasuredSurface& chosen, const surface::SurfaceI
         return a.has_value() == b.has_value() && (!a || std::abs(*a - *b) < 1e-9 * *b);
     };
     const Scale of_chosen = scale_of(chosen, law, load);
-    Scales scales{.law = std::string(law.name), .length = length, .short_waves = {}, .long_waves = {}};
+    Scales scales{.law = std::string(name_of(law.which)), .length = length, .short_waves = {}, .long_waves = {}};
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (load.progress) load.progress("scales", i, asked.size());
         const CutOffs<double>& cut_offs = asked[i].second;

@@ -6,7 +6,7 @@
 
 #include <fstiff/answer/answer_curve.hpp>
 #include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/curves.hpp>
+#include <fstiff/answer/law_errors.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -14,55 +14,64 @@
 namespace fstiff::actions {
 namespace {
 
+const AnswerPoint& first_missed(const AnswerCurve& curve) {
+    return *std::find_if(curve.points.begin(), curve.points.end(),
+                         [](const AnswerPoint& point) { return !point.ok(); });
+}
+
 /// A warning for each law that is named and lacks points. One that ends above some pressure is expected to.
-void warn_of_missed(const scene::Scene& scene, Results& results) {
+void warn_of_missed(Answered& answered) {
+    const auto& scene = *answered.scene;
     for (const detail::Law* law : scene.laws) {
         std::size_t count = 0, points = 0;
-        const Curve* first = nullptr;
-        for (const Curve& curve : results.curves) {
-            if (curve.law != law) continue;
-            points += scene.points.size();
-            count += curve.missed.size();
-            if (!first && !curve.missed.empty()) first = &curve;
+        const AnswerCurve* first = nullptr;
+        for (const AnswerCurve& curve : answered.answer.laws) {
+            if (curve.law != law->which) continue;
+            points += curve.points.size();
+            const std::size_t missed = curve.points.size() - count_of(curve);
+            if (count == 0 && missed > 0) first = &curve;
+            count += missed;
         }
         if (count == 0) continue;
-        const detail::MissedPoint& missed = first->missed.front();
+        const AnswerPoint& missed = first_missed(*first);
         const std::string name = "law " + std::string(law->name),
                           place =
                               document::shortest(scene.points[missed.place]) + (scene.at_separations ? " m" : " Pa");
-        const bool ends = law->ends && !first->states.empty();
-        results.doubtful = results.doubtful || !ends;
-        results.warnings.push_back(
+        const bool ends = law->ends && count_of(*first) > 0;
+        answered.doubtful = answered.doubtful || !ends;
+        answered.warnings.push_back(
             ends ? name + " ends before " + place + ": its contacts are too many or too crowded beyond"
                  : name + " has no result at " + std::to_string(count) + " of " + std::to_string(points) +
-                       " points, the first of them " + place + ": " + reason_of(scene, missed));
+                       " points, the first of them " + place + ": " + missed.reason);
     }
 }
 
 /// A warning where the answer lacks points.
-void warn_of_lost(const scene::Scene& scene, Results& results) {
-    const std::vector<detail::MissedPoint>& missed = results.answer->curve.missed;
-    if (missed.empty()) return;
-    results.doubtful = true;
-    const std::size_t count = missed.size() + results.answer->curve.states.size();
-    results.warnings.push_back((scene.best ? "no K at " : "the answer has no K at ") +
-                               (missed.size() == 1
-                                    ? shown_point(scene, missed.front().place)
-                                    : std::to_string(missed.size()) + " of " + std::to_string(count) +
-                                          " points, the first of them " + shown_point(scene, missed.front().place)) +
-                               ": " + reason_of(scene, missed.front()));
+void warn_of_lost(Answered& answered) {
+    const auto& scene = *answered.scene;
+    const std::size_t count = answered.answer.points.size(), lost = count - count_of(answered.answer);
+    if (lost == 0) return;
+    answered.doubtful = true;
+    const AnswerPoint& first = first_missed(answered.answer);
+    const std::string point = scene.shown_point(first.place);
+    answered.warnings.push_back(
+        (scene.best ? "no K at " : "the answer has no K at ") +
+        (lost == 1 ? point
+                   : std::to_string(lost) + " of " + std::to_string(count) + " points, the first of them " + point) +
+        ": " + first.reason);
 }
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
-void warn_of_hardness(const detail::ResolvedJoint& problem, Results& results) {
-    for (const Curve* curve : shown_curves(results))
-        if (const auto check = beyond_comparison(problem, *curve)) {
-            results.doubtful = results.doubtful || !curve->by.empty();
-            return results.warnings.push_back(
-                "law plastic was compared up to " + document::with_unit(check->limit, "Pa", 3) + ", " +
+void warn_of_hardness(Answered& answered) {
+    const double limit = detail::max_compared_flow * answered.answer.hardness;
+    for (const AnswerCurve* curve : answered.shown_curves())
+        for (const AnswerPoint& point : curve->points) {
+            if (point.law != LawName::plastic || !(point.pressure > limit)) continue;
+            answered.doubtful = answered.doubtful || answered.is_answer(*curve);
+            return answered.warnings.push_back(
+                "law plastic was compared up to " + document::with_unit(limit, "Pa", 3) + ", " +
                 document::shown_percent(detail::max_compared_flow) + " of the hardness: K at " +
-                document::with_unit(curve->states[check->first].pressure.value, "Pa", 3) +
-                " may be far off, and outside of its band");
+                document::with_unit(point.pressure, "Pa", 3) + " may be far off, and outside of its band");
         }
 }
 
@@ -85,62 +94,46 @@ std::string_view sentence(Concern concern) {
 }
 
 /// A warning for all curves that have a point where \p concern does not hold.
-void warn_if_any(Results& results, Concern concern) {
+void warn_if_any(Answered& answered, Concern concern) {
     std::size_t count = 0;
     std::string where;
-    for (const Curve& curve : results.curves) {
+    for (const AnswerCurve& curve : answered.curves()) {
         const Check<double>* check = detail::find_check(curve.checks, concern);
         if (check && !check->holds() && count++ == 0)
-            where =
-                title(curve) + " at p = " + document::rounded(curve.states[check->first].pressure.value / 1e6) + " MPa";
+            where = title(curve) + " at p = " + document::rounded(curve.at(check->first)->pressure / 1e6) + " MPa";
     }
     if (count > 0)
-        results.warnings.push_back(std::string(sentence(concern)) + " (" + std::to_string(count) + " of " +
-                                   std::to_string(results.curves.size()) + " curves, the first " + where + ")");
-}
-
-/// The part of \p means outside of the range of \p law; may be empty.
-std::string outside_range(const detail::Law& law, const LoadMeans<double>& means) {
-    const double s = means.interference.value, ratio = means.radius_ratio.value;
-    std::string text;
-    const auto say = [&](const char* name, double value, const char* side, double limit) {
-        text += (text.empty() ? "" : " and ") + std::string(name) + " = " + document::rounded(value, 4) + ", " + side +
-                " " + document::rounded(limit, 3);
-    };
-    if (s < law.range.least_interference) say("omega/omega_c", s, "below", law.range.least_interference);
-    if (s > law.range.most_interference) say("omega/omega_c", s, "above", law.range.most_interference);
-    if (ratio > law.range.most_radius_ratio) say("a/R", ratio, "above", law.range.most_radius_ratio);
-    return text;
+        answered.warnings.push_back(std::string(sentence(concern)) + " (" + std::to_string(count) + " of " +
+                                    std::to_string(answered.curves().size()) + " curves, the first " + where + ")");
 }
 
 /// A warning for each plastic law with a point where its peaks, each weighted by its load, are outside of its range.
-void warn_of_plastic_ranges(const std::vector<const detail::Law*>& laws, Results& results) {
+void warn_of_plastic_ranges(const std::vector<const detail::Law*>& laws, Answered& answered) {
     for (const detail::Law* law : laws) {
         std::size_t count = 0, points = 0;
         std::string first;
-        for (const Curve& curve : results.curves) {
-            if (curve.law != law) continue;
-            points += curve.means.size();
-            for (std::size_t i = 0; i < curve.means.size(); ++i) {
-                const std::string outside = outside_range(*curve.law, curve.means[i]);
-                if (!outside.empty() && count++ == 0)
-                    first = "at p = " + document::rounded(curve.states[i].pressure.value / 1e6) + " MPa (" +
-                            title(curve) + ") the mean over the load is " + outside;
-            }
+        for (const AnswerCurve& curve : answered.answer.laws) {
+            if (curve.law != law->which) continue;
+            points += count_of(curve);
+            for (const AnswerPoint& point : curve.points)
+                if (!point.doubt.empty() && count++ == 0)
+                    first = "at p = " + document::rounded(point.pressure / 1e6) + " MPa (" + title(curve) +
+                            ") the mean over the load is " + point.doubt;
         }
         if (count > 0)
-            results.warnings.push_back("law " + std::string(law->name) + " is outside of its range at " +
-                                       std::to_string(count) + " of " + std::to_string(points) +
-                                       " points, and may be far off there: first " + first);
+            answered.warnings.push_back("law " + std::string(law->name) + " is outside of its range at " +
+                                        std::to_string(count) + " of " + std::to_string(points) +
+                                        " points, and may be far off there: first " + first);
     }
 }
 
 /// Warnings for the laws that are named: the band of an answer includes their causes.
-void warn_of_named_laws(const scene::Scene& scene, Results& results) {
-    for (const Check<double>& check : results.surface_checks) {
+void warn_of_named_laws(Answered& answered) {
+    const auto& scene = *answered.scene;
+    for (const Check<double>& check : surface_checks(scene.joint)) {
         if (check.holds()) continue;
         const std::string value = document::rounded(check.least, 3);
-        results.warnings.push_back(
+        answered.warnings.push_back(
             check.concern == Concern::plasticity
                 ? "plasticity index " + value + " is above 1: " + std::string(yielding_peaks)
                 : "sigma R D_p = " + value + " is below " + document::rounded(check.limit, 3) +
@@ -149,44 +142,45 @@ void warn_of_named_laws(const scene::Scene& scene, Results& results) {
     }
     for (const Concern concern : {Concern::interacting_asperities, Concern::mean_planes_crossed,
                                   Concern::above_highest_peak, Concern::few_contacts})
-        warn_if_any(results, concern);
-    warn_of_plastic_ranges(scene.laws, results);
-    if ((scene.asks(scene::CurveQuantity::reflection) || scene.asks(scene::CurveQuantity::shear_reflection)) &&
-        scene.reading != InteractionReading::none)
-        results.warnings.push_back(
+        warn_if_any(answered, concern);
+    warn_of_plastic_ranges(scene.laws, answered);
+    if ((scene.asks("reflection") || scene.asks("shear_reflection")) && scene.joint.reading != InteractionReading::none)
+        answered.warnings.push_back(
             "K with interaction includes the elasticity of the bulk over the interaction length: its reflection is not "
             "that of the interface alone");
 }
 
 }  // namespace
 
-void add_warnings(const scene::Scene& scene, Results& results) {
-    if (!scene.best) warn_of_missed(scene, results);
-    if (results.answer) warn_of_lost(scene, results);
-    warn_of_hardness(scene, results);
-    const std::vector<Parameter> unknown = unknown_parameters(scene, scene.best);
+void add_warnings(Answered& answered) {
+    const auto& scene = *answered.scene;
+    if (!scene.best) warn_of_missed(answered);
+    if (answered.has_answer()) warn_of_lost(answered);
+    warn_of_hardness(answered);
+    const std::vector<Parameter> unknown = unknown_parameters(scene.joint, scene.best);
     if (!scene.best)
-        warn_of_named_laws(scene, results);
-    else if (scene.reading != InteractionReading::none && scene.laws.front()->holds_when_crowded)
-        results.warnings.push_back(
+        warn_of_named_laws(answered);
+    else if (scene.joint.reading != InteractionReading::none && scene.laws.front()->holds_when_crowded)
+        answered.warnings.push_back(
             "contact.interaction does not affect the answer, whose laws include their own interaction");
-    if (scene.best && !unknown.empty() && !detail::is_known(scene.face.parameters.rms_height))
-        results.warnings.push_back(results.answer && results.answer->of_map_itself
-                                       ? "sigma is not known to a factor of two: K is that of this map alone"
-                                       : "sigma is not known to a factor of two, so K and its band are doubtful");
+    if (scene.best && !unknown.empty() && !detail::is_known(scene.joint.face.parameters.rms_height))
+        answered.warnings.push_back(answered.answer.of_map_itself
+                                        ? "sigma is not known to a factor of two: K is that of this map alone"
+                                        : "sigma is not known to a factor of two, so K and its band are doubtful");
     if (std::count(unknown.begin(), unknown.end(), Parameter::rms_gradient) > 0)
-        results.warnings.push_back(
+        answered.warnings.push_back(
             "the rms gradient is not known to a factor of two, so K and its band are doubtful where it counts");
-    const std::size_t before = results.warnings.size();
-    for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(results, concern);
-    const double noise =
-        scene.best ? noise_of(scene.face, scene.law_options.edges) / scene.face.parameters.rms_height.value : 0;
-    if (results.warnings.size() > before || scene.implausible || has_lay(scene) || !unknown.empty())
-        results.doubtful = true;
+    const std::size_t before = answered.warnings.size();
+    for (const Concern concern : {Concern::area_above_nominal, Concern::not_converged}) warn_if_any(answered, concern);
+    const double noise = scene.best ? noise_of(scene.joint.face, scene.joint.law_options.edges) /
+                                          scene.joint.face.parameters.rms_height.value
+                                    : 0;
+    if (answered.warnings.size() > before || scene.implausible || has_lay(scene.joint) || !unknown.empty())
+        answered.doubtful = true;
     if (noise > detail::most_noise)
-        results.warnings.push_back("the shortest waves of the map are noise, some " +
-                                   document::rounded(100 * noise, 1) +
-                                   " % of sigma: K without it is higher (surface.lambda_s filters it)");
+        answered.warnings.push_back("the shortest waves of the map are noise, some " +
+                                    document::rounded(100 * noise, 1) +
+                                    " % of sigma: K without it is higher (surface.lambda_s filters it)");
 }
 
 }  // namespace fstiff::actions

@@ -2,17 +2,19 @@
 // The answer of a joint.
 #include "c/law.hpp"
 #include "c/measure.hpp"
+#include "scene/scene.hpp"
 
 #include <fstiff/answer.hpp>
 #include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/resolve.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fstiff::c {
 namespace {
@@ -51,35 +53,40 @@ Body body_of(const fstiff_solid& from) {
             .hardness = known(from.hardness)};
 }
 
-/// An array of the caller, and what goes into it.
+/// The numbers that go into the arrays of \p to, where they are not NULL; NaN: none.
 struct Output {
     double* array;
-    std::optional<double> (*value)(const AnswerPoint& point);
+    std::function<double(const AnswerPoint& point)> value;
 };
-
-std::array<Output, 8> outputs_of(const fstiff_answer_points& to) {
+std::vector<Output> outputs_of(const fstiff_answer_points& to) {
     using Point = const AnswerPoint&;
-    using Number = std::optional<double>;
-    return {{{to.stiffness, [](Point point) -> Number { return point.stiffness.value; }},
-             {to.stiffness_p05, [](Point point) -> Number { return point.stiffness.low; }},
-             {to.stiffness_p95, [](Point point) -> Number { return point.stiffness.high; }},
-             {to.loading_stiffness, [](Point point) -> Number { return point.loading_stiffness; }},
-             {to.tangential_stiffness,
-              [](Point point) {
-                  return point.tangential_stiffness ? Number(point.tangential_stiffness->value) : Number();
-              }},
-             {to.approach, [](Point point) -> Number { return point.approach; }},
-             {to.contacts, [](Point point) -> Number { return point.contacts; }},
-             {to.p_star, [](Point point) -> Number { return point.p_star; }}}};
+    std::vector<Output> outputs{{to.stiffness, [](Point point) { return point.stiffness.value; }},
+                                {to.stiffness_p05, [](Point point) { return point.stiffness.low; }},
+                                {to.stiffness_p95, [](Point point) { return point.stiffness.high; }},
+                                {to.loading_stiffness, [](Point point) { return point.loading_stiffness.value_or(0); }},
+                                {to.tangential_stiffness, [](Point point) { return point["tangential_stiffness"]; }},
+                                {to.approach, [](Point point) { return point["approach"]; }},
+                                {to.contacts, [](Point point) { return point.contacts.value_or(0); }},
+                                {to.p_star, [](Point point) { return point.p_star.value_or(0); }}};
+    for (std::size_t i = 0; i < to.key_count; ++i) {
+        (void)not_null(to.keys, "keys"), (void)not_null(to.numbers, "numbers");
+        (void)not_null(to.keys[i], "keys"), (void)not_null(to.numbers[i], "numbers");
+        outputs.push_back({to.numbers[i], scene::number_called(to.keys[i], "keys")});
+    }
+    std::erase_if(outputs, [](const Output& output) { return !output.array; });
+    return outputs;
 }
 
 /// Gives \p points to the arrays of \p to. \return the status of the first without a K, whose reason is the message.
 int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_points& to) {
     int first = FSTIFF_OK;
+    const std::vector<Output> outputs = outputs_of(to);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const AnswerPoint& point = points[i];
-        for (const Output& output : outputs_of(to))
-            if (output.array) output.array[i] = point.ok() ? output.value(point).value_or(0) : 0;
+        for (const Output& output : outputs) {
+            const double value = point.ok() ? output.value(point) : 0;
+            output.array[i] = std::isnan(value) ? 0 : value;
+        }
         if (to.causes) {
             const auto shares = shares_of(point.causes);
             std::copy(shares.begin(), shares.end(), to.causes + i * FSTIFF_CAUSES);
@@ -92,7 +99,8 @@ int give_points(const std::vector<AnswerPoint>& points, const fstiff_answer_poin
     return first;
 }
 
-Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t count, bool approach) {
+/// With all quantities where \p whole, else K and those that are known with it.
+Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t count, bool whole) {
     const fstiff_joint from = taken(joint, "joint");
     require_array(pressures, count, "pressures");
     if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
@@ -101,7 +109,8 @@ Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t
                    .lower = body_of(from.lower),
                    .nominal_area = known(from.nominal_area)};
     if (from.other) assembly.other = face_of(from.other, "other");
-    AnswerOptions options{.approach = approach};
+    AnswerOptions options;
+    if (!whole) options.quantities = {"stiffness", "loading_stiffness", "tangential_stiffness"};
     if (from.samples != 0) options.samples = from.samples < 0 ? 0 : from.samples;
     if (from.seed != 0) options.seed = from.seed;
     if (from.seating != 0) options.seating = from.seating;
@@ -117,7 +126,9 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
                   int* doubtful) {
     return guarded([&] {
         const fstiff_answer_points to = taken(points, "points");
-        const fstiff::Answer answer = answer_of(joint, pressures, count, to.approach != nullptr);
+        (void)outputs_of(to);  // before what takes long
+        const bool whole = to.approach || to.key_count > 0;
+        const fstiff::Answer answer = answer_of(joint, pressures, count, whole);
         if (doubtful) *doubtful = answer.doubtful ? 1 : 0;
         std::string units;
         for (const auto& check : answer.concerns)

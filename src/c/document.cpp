@@ -2,7 +2,7 @@
 // Answers of commands to requests, as documents.
 #include "c/measure.hpp"
 
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/export.hpp"
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
@@ -152,7 +152,7 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
         given.read("surface", surface);
         given.require_known();
         const auto read = scene_of(scene, length, name, surface);
-        return handle_of(document_of(read, fstiff::actions::compute(read)));
+        return handle_of(document_of(fstiff::actions::compute(read)));
     });
 }
 

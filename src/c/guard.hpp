@@ -51,6 +51,8 @@ T& not_null(T* pointer, const char* name) {
 /// number of then: a program that was compiled before goes on working.
 template <class T>
 inline constexpr std::size_t first_size = sizeof(T);
+template <>
+inline constexpr std::size_t first_size<fstiff_answer_points> = offsetof(fstiff_answer_points, key_count);
 
 /// A struct of the caller, which begins with its size.
 template <class T>

@@ -39,8 +39,8 @@ void each_law_option(LawName law, detail::LawOptions& options, Take take) {
 /// Whether the section of \p law may also be at the root of a scene; its options count for other laws too.
 constexpr bool is_shared(LawName law) { return law == LawName::persson || law == LawName::boundary_elements; }
 
-/// Reads the section contact.\p law, or \p law at \p root, into \p scene.law_options. Of a section that is not shared
-/// the defaults are recorded.
+/// Reads the section contact.\p law, or \p law at \p root, into \p scene. Of a section that is not shared the
+/// defaults are recorded.
 void read_law_options(request::Source& source, const request::Section& root, LawName law, Scene& scene);
 
 }  // namespace fstiff::scene

@@ -36,7 +36,8 @@ void refuse_keys_of_body(const Source& source, const toml::table& material) {
 /// A body of [material].
 struct ReadBody {
     fstiff::Body body{};
-    std::optional<double> thermal{}, electrical{};  ///< conductivities
+    std::optional<double> thermal{}, electrical{};   ///< conductivities
+    bool gives_heat = false, gives_current = false;  ///< they are written, and not of the name alone
     const NamedMaterial* name = nullptr;
 
     void each_elastic(auto take) {
@@ -135,6 +136,7 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     read.body.yield_strength = body.optional_positive("yield_strength", Dimension::pressure);
     read.body.hardness = read_hardness(source, body, read.body.elastic.youngs_modulus);
     body.read([&](auto take) { read.each_conductivity(take); });
+    read.gives_heat = read.thermal.has_value(), read.gives_current = read.electrical.has_value();
     const auto usual = [](std::optional<double>& value, double of_name) {
         if (!value && of_name > 0) value = of_name;
     };
@@ -185,16 +187,19 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     if (!second) source.record_default("material.lower", "as material.upper");
     scene.upper_name = upper.name, scene.lower_name = lower.name;
     scene.upper_body = upper.body, scene.lower_body = lower.body;
-    take_bodies(upper.body, lower.body, {}, scene);
-    if (upper.thermal && lower.thermal) scene.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
+    take_bodies(upper.body, lower.body, {}, scene.joint);
+    scene.joint.is_given.heat = upper.gives_heat || lower.gives_heat;
+    scene.joint.is_given.current = upper.gives_current || lower.gives_current;
+    if (upper.thermal && lower.thermal)
+        scene.joint.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
     if (upper.electrical && lower.electrical)
-        scene.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);
+        scene.joint.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);
     warn_of_strength(upper, "upper", scene);
     if (second) warn_of_strength(lower, "lower", scene);
     if (!assumed) return;
     for (Input& input : source.inputs)
         if (input.key == "material.upper") input.given = false;
-    scene.assumptions.push_back("both bodies steel, " + shown(scene.upper));
+    scene.assumptions.push_back("both bodies steel, " + shown(scene.joint.upper));
 }
 
 namespace {
@@ -285,7 +290,7 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     }
     waves.longitudinal = {upper.impedance, lower.impedance};
     if (upper.shear_impedance) waves.shear = {*upper.shear_impedance, *lower.shear_impedance};
-    scene.ultrasound = waves;
+    scene.joint.ultrasound = waves;
 }
 
 namespace {
@@ -323,7 +328,7 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
                 section.refuse(key, "must not be given with " + section.key(of_gas));
     section.read(fields);
     if (gap.emissivity) static_cast<void>(section.at("temperature"));
-    Conduction& conduction = scene.conduction;
+    Conduction& conduction = scene.joint.conduction;
     if (!gap.medium.empty()) {
         const auto& filling =
             *std::find_if(detail::named_media.begin(), detail::named_media.end(),
@@ -351,7 +356,7 @@ void read_friction(Source& source, const toml::table& table, Scene& scene) {
     const Section friction(source, table, "friction", request::keys_of(fields));
     static_cast<void>(friction.at("coefficient"));
     friction.read(fields);
-    scene.friction = {coefficient, amplitude};
+    scene.joint.friction = {coefficient, amplitude};
 }
 
 }  // namespace fstiff::scene

@@ -3,9 +3,9 @@
 #include "scene/law_options.hpp"
 #include "scene/readers.hpp"
 
+#include <fstiff/answer/ball.hpp>
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/resolve.hpp>
-#include <fstiff/tabulated/ball_contact.hpp>
 
 #include <algorithm>
 #include <array>
@@ -40,13 +40,14 @@ void read_law_options(request::Source& source, const Section& root, LawName law,
     std::string path;
     static const toml::table none;
     const toml::table* table = section_of_law(source, root, law, path);
-    const auto fields = [&](auto take) { each_law_option(law, scene.law_options, take); };
+    const auto fields = [&](auto take) { each_law_option(law, scene.joint.law_options, take); };
     const Section section(source, table ? *table : none, path, request::keys_of(fields));
     section.read(fields, [&](std::string_view key, const auto& to) {
         if constexpr (std::is_same_v<decltype(to), const bool&>)
             if (!is_shared(law)) source.record_default(section.key(key), to ? "1" : "0", to ? 1 : 0);
     });
-    if (section.find("spectrum") && scene.law_options.spectrum == detail::SpectrumSource::map && !scene.face.map)
+    if (section.find("spectrum") && scene.joint.law_options.spectrum == detail::SpectrumSource::map &&
+        !scene.joint.face.map)
         section.refuse("spectrum", "needs a map: surface.from, or --surface, must name the file of one");
 }
 
@@ -91,7 +92,8 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
 /// contact.nominal_area, or the ring of contact.washer. The area of the built-in scene is not that of another surface.
 void read_area(Source& source, const Section& contact, Scene& scene, bool replaced) {
     const toml::node* washer = contact.find("washer");
-    if (!(source.builtin && replaced)) scene.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
+    if (!(source.builtin && replaced))
+        scene.joint.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
     if (!washer) return;
     const std::string key = contact.key("washer");
     (void)contact.one_of(std::array<std::string_view, 2>{"nominal_area", "washer"});
@@ -106,30 +108,24 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
     const double area = std::numbers::pi / 4 * (outer - inner) * (outer + inner);
     if (!(area > 0) || !std::isfinite(area))
         source.refuse(*washer, key, "must have an area in the range of double precision");
-    scene.nominal_area = area;
-    scene.is_joint = true;
+    scene.joint.nominal_area = area;
+    scene.joint.is_given.force = true;
     source.record(contact.key("nominal_area"), "of the washer, pi/4 (outer^2 - inner^2)", area,
                   si_unit(Dimension::area));
 }
 
-/// The ball of contact.ball_radius, and the pressures of its law: from 1e-4 of Hertz' under the least force, below
-/// which a pressure carries nothing, to that under the greatest.
+/// The ball of contact.ball_radius, and the pressures of its law.
 void read_ball(const Section& root, const Section& contact, double radius, Scene& scene) {
     for (const char* other : {"nominal_area", "washer", "laws"})
         (void)contact.one_of(std::array<std::string_view, 2>{"ball_radius", other});
     for (const char* other : {"gap", "friction", "ultrasound"})
         if (root.find(other)) contact.refuse("ball_radius", "must not be given with the section " + std::string(other));
-    const auto [least, greatest] = std::minmax_element(scene.points.begin(), scene.points.end());
-    const auto pressure = [&](double force) {
-        return detail::hertz_ball(radius, scene.effective_modulus, force).pressure;
-    };
-    const double from = 1e-4 * pressure(*least), to = pressure(*greatest);
-    if (!(from > 0) || !std::isfinite(to))
-        contact.refuse("ball_radius", "must make a pressure in the range of double precision");
-    const Range range{from, to, 1 + static_cast<std::uint64_t>(std::ceil(6 * std::log10(to / from))), true};
     scene.ball = {radius, std::move(scene.points)};
-    scene.points.clear();
-    for (std::uint64_t i = 0; i < range.count; ++i) scene.points.push_back(range.at(i));
+    try {
+        scene.points = detail::ball_pressures(radius, scene.joint.effective_modulus, scene.ball->forces);
+    } catch (const domain_error&) {
+        contact.refuse("ball_radius", "must make a pressure in the range of double precision");
+    }
     scene.listed = scene.solves_map = false;
 }
 
@@ -164,14 +160,14 @@ void read_points(Source& source, const Section& root, const Section& contact, Sc
         contact.refuse("ball_radius", "needs contact.force, the load of the ball, in place of " + key);
     if (radius) return read_ball(root, contact, *radius, scene);
     if (kind->dimension != Dimension::force) return;
-    if (!scene.nominal_area)
+    if (!scene.joint.nominal_area)
         throw domain_error(scene.points_where + "needs " + contact.key("nominal_area") + ", or " +
                            contact.key("washer") + ", over which a force is a pressure");
     scene.forces = scene.points;
-    scene.ask(CurveQuantity::force);
-    scene.is_joint = true;
+    scene.quantities.emplace("force");
+    scene.joint.is_given.force = true;
     for (double& point : scene.points) {
-        point /= *scene.nominal_area;
+        point /= *scene.joint.nominal_area;
         if (!(point > 0) || !std::isfinite(point))
             source.refuse(node, key,
                           "must be a pressure on " + contact.key("nominal_area") + " in the range of double precision");
@@ -223,19 +219,19 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
     }
     if (!node->is_table()) source.refuse(*node, key, allowed);
     const Section table(source, *node->as_table(), key, {"reading", "length"});
-    source.read(table.at("reading"), table.key("reading"), scene.reading);
+    source.read(table.at("reading"), table.key("reading"), scene.joint.reading);
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
     if (const auto by = detail::find_named<detail::InteractionLength>(text)) {
-        scene.length = *by;
+        scene.joint.length = *by;
         length ? source.record(table.key("length"), text) : source.record_default(table.key("length"), "nominal");
     } else {
-        scene.length = detail::InteractionLength::given;
-        scene.given_length = source.positive(*length, table.key("length"), Dimension::length);
+        scene.joint.length = detail::InteractionLength::given;
+        scene.joint.given_length = source.positive(*length, table.key("length"), Dimension::length);
     }
-    if (scene.reading != InteractionReading::none && scene.length == detail::InteractionLength::nominal &&
-        !scene.nominal_area)
+    if (scene.joint.reading != InteractionReading::none && scene.joint.length == detail::InteractionLength::nominal &&
+        !scene.joint.nominal_area)
         throw domain_error(source.at(*node) + ": " + contact.key("nominal_area") +
                            ": is missing; interaction length \"nominal\" is its square root");
 }
@@ -244,7 +240,7 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     const toml::node* const node = contact.find("laws");
     if (!node || (node->is_string() && written(*node) == "best")) {
         scene.best = true;
-        scene.laws = {&law_of_answer(scene, scene.at_separations)};
+        scene.laws = {&law_of_answer(scene.joint, scene.at_separations)};
         node ? source.record(contact.key("laws"), "best") : source.record_default(contact.key("laws"), "best");
         return read_law_options(source, root, scene.laws.front()->which, scene);
     }
@@ -252,25 +248,25 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     const auto names = detail::law_names();
     for (const auto i : source.choices(*node, contact.key("laws"), names))
         chosen.push_back(&detail::all_laws()[i].row());
-    const auto lacks = [&](const detail::Law* law) { return law->needs_dimension && !scene.face.dimension(); };
+    const auto lacks = [&](const detail::Law* law) { return law->needs_dimension && !scene.joint.face.dimension(); };
     if (replaced && !std::all_of(chosen.begin(), chosen.end(), lacks)) {
         if (std::erase_if(chosen, lacks) > 0)
             scene.warnings.push_back("no fractal law is computed, because D is not known");
     }
     const auto lacks_radius = [&](const detail::Law* law) {
-        return law->needs_radius() && !scene.face.has_radius_and_density();
+        return law->needs_radius() && !scene.joint.face.has_radius_and_density();
     };
     if (!std::all_of(chosen.begin(), chosen.end(), lacks_radius) && std::erase_if(chosen, lacks_radius) > 0)
         scene.warnings.push_back("no law over a distribution of peaks is computed, because D_p is not known: " +
-                                 scene.face.parameters.why_no_density);
+                                 scene.joint.face.parameters.why_no_density);
     for (const detail::Law* law : chosen) {
         if (lacks(law))
             throw domain_error(source.at(*node) + ": surface.fractal_dimension: is missing; law \"" +
                                std::string(law->name) + "\" needs it" +
-                               (scene.face.measured && !scene.face.measured->why_no_dimension.empty()
-                                    ? "; it was not found: " + scene.face.measured->why_no_dimension
+                               (scene.joint.face.measured && !scene.joint.face.measured->why_no_dimension.empty()
+                                    ? "; it was not found: " + scene.joint.face.measured->why_no_dimension
                                     : ""));
-        if (const std::string why = refusal_of(*law, scene); !why.empty())
+        if (const std::string why = scene.refusal_of(*law); !why.empty())
             throw domain_error(source.at(*node) + ": " + contact.key("laws") + ": \"" + std::string(law->name) + "\" " +
                                why);
         scene.laws.push_back(law);
@@ -280,25 +276,26 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
 
 void read_peaks(Source& source, const Section& contact, Scene& scene, bool replaced) {
     const toml::node* peaks = contact.find("peaks");
-    if (scene.face.has_peaks() && (replaced || !peaks)) {
-        take_peaks(scene);
-        scene.peaks.front().where.file = source.file, scene.peaks.front().key = "surface.";
+    if (scene.joint.face.has_peaks() && (replaced || !peaks)) {
+        take_peaks(scene.joint);
+        scene.joint.peaks.front().where.file = source.file, scene.joint.peaks.front().key = "surface.";
         replaced ? source.record(contact.key("peaks"), "surface (--surface)")
                  : source.record_default(contact.key("peaks"), "surface");
     } else if (peaks) {
         if (peaks->is_string())
-            scene.peaks.push_back(read_one_peaks(source, *peaks, contact.key("peaks"), scene.face));
+            scene.joint.peaks.push_back(read_one_peaks(source, *peaks, contact.key("peaks"), scene.joint.face));
         else if (!peaks->is_array() || peaks->as_array()->empty())
             source.refuse(*peaks, contact.key("peaks"),
                           "must be \"surface\" or a list of tables such as { theta = \"pi/4\", r = \"exponential\" }");
         else
             for (std::size_t i = 0; i < peaks->as_array()->size(); ++i)
-                scene.peaks.push_back(read_one_peaks(source, (*peaks->as_array())[i],
-                                                     contact.key("peaks") + "[" + std::to_string(i) + "]", scene.face));
+                scene.joint.peaks.push_back(read_one_peaks(source, (*peaks->as_array())[i],
+                                                           contact.key("peaks") + "[" + std::to_string(i) + "]",
+                                                           scene.joint.face));
     } else {
-        take_peaks(scene);
-        for (detail::Peaks& entry : scene.peaks) entry.where.file = source.file, entry.key = "contact.peaks.";
-        const bool isotropic = has_isotropic_peaks(scene.face);
+        take_peaks(scene.joint);
+        for (detail::Peaks& entry : scene.joint.peaks) entry.where.file = source.file, entry.key = "contact.peaks.";
+        const bool isotropic = has_isotropic_peaks(scene.joint.face);
         source.record_default(contact.key("peaks"), isotropic ? "theta = 0.001, r = 1/sqrt(alpha), of fractal laws "
                                                                 "theta = pi/4 and pi/3, r = exponential"
                                                               : "theta = pi/4 and pi/3, r = exponential");
@@ -310,8 +307,9 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawName law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
-    if (const auto spectrum = scene.law_options.spectrum)
-        scene.face.write([&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
+    if (const auto spectrum = scene.joint.law_options.spectrum)
+        scene.joint.face.write(
+            [&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
     std::vector<std::string_view> keys{"nominal_area", "washer",      "ball_radius", "pressures",
                                        "pressure",     "separations", "force",       "seating",
                                        "laws",         "peaks",       "interaction"};

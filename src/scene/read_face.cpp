@@ -312,26 +312,26 @@ void take_surface(Source& source, const SceneSource& from, const toml::node* pro
     record_measured(source, *measured, "surface");
     JointFace given{.measured = measured_face(found_of(measured))};
     if (process) given.process = read_process(source, *process, "surface.process", scene);
-    scene.face = detail::face_of(given);
+    scene.joint.face = detail::face_of(given);
     scene.measured = {measured};
 }
 
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress) {
     if (!table.contains("upper") && !table.contains("lower")) {
-        scene.face = read_face(source, table, "surface", scene, progress);
+        scene.joint.face = read_face(source, table, "surface", scene, progress);
         source.record("surface.lower", "smooth (default): [surface] alone is one rough face");
         return;
     }
     const Section surface(source, table, "surface", {"upper", "lower", "shifts"});
     if (!surface.find("upper") || !surface.find("lower")) {
         const char* there = surface.find("upper") ? "upper" : "lower";
-        scene.face = read_face(source, surface.subtable(there), surface.key(there), scene, progress);
+        scene.joint.face = read_face(source, surface.subtable(there), surface.key(there), scene, progress);
         source.record_default(surface.key(surface.find("upper") ? "lower" : "upper"), "smooth");
         return;
     }
     for (const char* name : {"upper", "lower"})
-        scene.faces.push_back(read_face(source, surface.subtable(name), surface.key(name), scene, progress));
-    const detail::Face &upper = scene.faces.front(), &lower = scene.faces.back();
+        scene.joint.faces.push_back(read_face(source, surface.subtable(name), surface.key(name), scene, progress));
+    const detail::Face &upper = scene.joint.faces.front(), &lower = scene.joint.faces.back();
     const std::string no_sum = no_sum_of_maps(upper, lower);
     scene.shifts = 4;
     if (const toml::node* node = surface.find("shifts")) {
@@ -340,9 +340,10 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
     } else if (no_sum.empty()) {
         source.record_default(surface.key("shifts"), "4", 4);
     }
-    scene.face = source.located(table, [&] { return detail::sum_of_faces(upper, lower, scene.shifts, scene.seed); });
+    scene.joint.face =
+        source.located(table, [&] { return detail::sum_of_faces(upper, lower, scene.shifts, scene.seed); });
     for (const detail::ParameterRow& row : detail::surface_parameter_table)
-        if (const auto value = scene.face.value(row.parameter))
+        if (const auto value = scene.joint.face.value(row.parameter))
             source.record(surface.key(row.key) + " (of the sum)", document::shortest(*value), *value, row.unit);
     if (upper.map && lower.map && !no_sum.empty())
         scene.warnings.push_back("the sum of the two maps, which laws of a map need, is not computed: " + no_sum);

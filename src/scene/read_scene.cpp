@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from its text: the sections in turn, what they leave in doubt, and what is computed of them.
 #include "document/file.hpp"
-#include "scene/column.hpp"
 #include "scene/readers.hpp"
 
 #include <fstiff/answer/concerns.hpp>
-#include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/unknowns.hpp>
 
@@ -18,35 +16,50 @@
 namespace fstiff::scene {
 namespace {
 
+/// The key that gives \p need.
+std::string_view key_of(AnswerQuantity::Need need) {
+    switch (need) {
+        case AnswerQuantity::area: return "contact.nominal_area or contact.washer";
+        case AnswerQuantity::waves: return "the section ultrasound";
+        case AnswerQuantity::shear_waves: return "ultrasound.upper.shear_impedance or shear_velocity";
+        case AnswerQuantity::slip: return "friction.amplitude";
+        case AnswerQuantity::heat: return "material.upper.thermal_conductivity";
+        case AnswerQuantity::current: return "material.upper.electrical_conductivity";
+        case AnswerQuantity::gap: return "the section gap";
+        case AnswerQuantity::bodies: return "material.upper";
+        case AnswerQuantity::nothing: break;
+    }
+    return "";
+}
+
 void read_output(Source& source, const toml::table* table, Scene& scene) {
     static const toml::table none;
     const Section output(source, table ? *table : none, "output", {"quantities"});
     const std::string key = output.key("quantities");
-    const std::vector<const CurveQuantityRow*> quantities = chosen_quantities();
+    const std::vector<const AnswerQuantity*> quantities = words_for_quantities();
     std::vector<std::string_view> words;
     std::string usual;
-    for (const CurveQuantityRow* row : quantities) {
-        words.push_back(row->choice.word);
-        if (output.find("quantities") || !row->choice.is_usual(scene)) continue;
-        scene.ask(row->quantity);
-        usual += (usual.empty() ? "" : ", ") + std::string(row->choice.word);
+    for (const AnswerQuantity* quantity : quantities) {
+        words.push_back(quantity->word);
+        if (output.find("quantities") || !quantity->is_usual || !quantity->is_usual(scene.joint)) continue;
+        scene.quantities.emplace(quantity->word);
+        usual += (usual.empty() ? "" : ", ") + std::string(quantity->word);
     }
     if (const auto* node = output.find("quantities")) {
-        for (const auto i : source.choices(*node, key, words)) scene.ask(quantities[i]->quantity);
-        for (const CurveQuantityRow* row : quantities) {
-            const std::string_view lack = row->choice.lack && scene.asks(row->quantity) ? row->choice.lack(scene) : "";
-            if (!lack.empty())
-                throw domain_error(source.at(*node) + ": " + key + ": needs " + std::string(lack) + " for \"" +
-                                   std::string(row->choice.word) + "\"");
-        }
+        for (const auto i : source.choices(*node, key, words)) scene.quantities.emplace(words[i]);
+        for (const AnswerQuantity* quantity : quantities)
+            if (const auto need = lack_of(*quantity, scene.joint);
+                need != AnswerQuantity::nothing && scene.asks(quantity->word))
+                throw domain_error(source.at(*node) + ": " + key + ": needs " + std::string(key_of(need)) + " for \"" +
+                                   std::string(quantity->word) + "\"");
     } else {
         source.record_default(key, usual);
     }
-    scene.ask(CurveQuantity::thermal_conductance_gap,
-              scene.asks(CurveQuantity::thermal_conductance) && scene.conduction.gap);
-    if (scene.asks(CurveQuantity::approach) &&
-        std::none_of(scene.inputs.begin(), scene.inputs.end(),
-                     [](const Input& input) { return input.key == "contact.seating"; }))
+    for (const AnswerQuantity& quantity : answer_quantities())
+        if (scene.asks(quantity.with) && lack_of(quantity, scene.joint) == AnswerQuantity::nothing)
+            scene.quantities.emplace(quantity.word);
+    if (scene.asks("approach") && std::none_of(scene.inputs.begin(), scene.inputs.end(),
+                                               [](const Input& input) { return input.key == "contact.seating"; }))
         source.record_default("contact.seating", "1 kPa", scene.seating, si_unit(Dimension::pressure));
 }
 
@@ -75,23 +88,23 @@ void warn_of_hurst(const detail::Face& face, const std::string& path, std::vecto
 void warn_of_gradients(Scene& scene) {
     constexpr std::array<std::string_view, 4> origins{
         "measured", "rms_gradient", "implied by peak_radius and peak_density", "implied by rms_height and peak_radius"};
-    for (const auto& [name, face, file] : named_faces(scene)) {
+    for (const auto& [name, face, file] : scene.named_faces()) {
         const bool told = face->measured && std::count(face->measured->concerns.begin(), face->measured->concerns.end(),
                                                        MeasuredConcern::implausible_gradient) > 0;
-        const auto wrong = told ? std::nullopt : implausible_gradient(scene, *face);
+        const auto wrong = told ? std::nullopt : implausible_gradient(scene.joint, *face);
         const std::string line =
             wrong ? surface::gradient_warning(wrong->value, origins[static_cast<std::size_t>(wrong->source)]) : "";
         if (told || !line.empty()) scene.implausible = true;
-        if (!line.empty()) scene.warnings.push_back((scene.faces.empty() ? "" : std::string(name) + ": ") + line);
+        if (!line.empty()) scene.warnings.push_back((scene.joint.faces.empty() ? "" : std::string(name) + ": ") + line);
     }
 }
 
 /// Warns of numbers that are likely in another unit; a measured height has a warning of its own.
 void warn_of_units(Scene& scene) {
     const std::span<const double> pressures(scene.points.data(), scene.at_separations ? 0 : scene.points.size());
-    for (const Check<double>& check : unlikely_units(scene, pressures)) {
+    for (const Check<double>& check : unlikely_units(scene.joint, pressures)) {
         scene.implausible = scene.implausible || detail::makes_doubtful(check, pressures.size());
-        if (check.concern != Concern::height_unit || measured_files(scene).empty())
+        if (check.concern != Concern::height_unit || scene.measured_files().empty())
             scene.warnings.push_back(detail::sentence_of_unit(check));
     }
 }
@@ -180,10 +193,10 @@ std::vector<std::string> take_assumed(Source& source, const Scene& scene, const 
     };
     if (joint.hardness_range && depends_on_hardness(joint, laws)) {
         record("material.hardness", joint.hardness_range->middle, "Pa");
-        phrases.push_back(phrase_of_hardness(scene));
+        phrases.push_back(scene.phrase_of_hardness());
     }
-    const bool one_face = scene.faces.empty();
-    const std::vector<NamedFace> faces = named_faces(scene);
+    const bool one_face = scene.joint.faces.empty();
+    const std::vector<NamedFace> faces = scene.named_faces();
     for (const auto& [place, prior] : relevant_priors(joint, laws)) {
         if (prior->origin == detail::Origin::measurement) continue;
         const NamedFace& named = faces[place];
@@ -195,10 +208,10 @@ std::vector<std::string> take_assumed(Source& source, const Scene& scene, const 
 }
 
 void take_assumed_numbers(Source& source, Scene& scene) {
-    for (std::string& phrase : take_assumed(source, scene, scene, scene.laws))
+    for (std::string& phrase : take_assumed(source, scene, scene.joint, scene.laws))
         scene.assumptions.push_back(std::move(phrase));
     if (scene.best) return;
-    detail::ResolvedJoint joint = scene;
+    detail::ResolvedJoint joint = scene.joint;
     try {
         const detail::Law& law = law_of_answer(joint, scene.at_separations);
         for (std::string& phrase : take_assumed(source, scene, joint, {&law}))
@@ -226,8 +239,8 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     if (const auto* name = top.find("name")) scene.name = source.text(*name, "name");
     const bool replaced = from.measured || !surface.empty();
     if (from.surface_of) {
-        scene.face = from.surface_of->face;
-        scene.faces = from.surface_of->faces;
+        scene.joint.face = from.surface_of->joint.face;
+        scene.joint.faces = from.surface_of->joint.faces;
         scene.measured = from.surface_of->measured;
         scene.shifts = from.surface_of->shifts;
     } else if (!replaced) {
@@ -244,19 +257,19 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
-    for (const Assumed& number : assumed(scene))
+    for (const Assumed& number : scene.assumed())
         source.record_default("surface." + std::string(number.key), number.how, number.value);
     take_assumed_numbers(source, scene);
-    for (const auto& [name, face, file] : measured_files(scene)) {
-        const std::string label = scene.faces.empty() ? "" : std::string(name) + ": ";
+    for (const auto& [name, face, file] : scene.measured_files()) {
+        const std::string label = scene.joint.faces.empty() ? "" : std::string(name) + ": ";
         if (face->is_taken_across())
             scene.assumptions.push_back(label +
                                         "the trace across the lay, as ISO 21920 has it (along it K errs 2 to 5 times)");
         for (const std::string& warning : scene.best ? file->of_file : file->warnings)
             scene.warnings.push_back(label + warning);
     }
-    for (const auto& [name, face, file] : named_faces(scene))
-        warn_of_hurst(*face, (scene.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
+    for (const auto& [name, face, file] : scene.named_faces())
+        warn_of_hurst(*face, (scene.joint.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);
     warn_of_units(scene);
     if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);

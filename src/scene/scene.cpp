@@ -6,46 +6,45 @@
 
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/lacks.hpp>
-#include <fstiff/answer/request.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fstiff::scene {
 
 using detail::Lack, detail::Origin;
 
-std::vector<NamedFace> named_faces(const Scene& scene) {
-    const auto measured = [&](std::size_t i) { return i < scene.measured.size() ? scene.measured[i].get() : nullptr; };
-    if (scene.faces.empty()) return {{"surface", &scene.face, measured(0)}};
-    return {{"upper", &scene.faces[0], measured(0)}, {"lower", &scene.faces[1], measured(1)}};
+std::vector<NamedFace> Scene::named_faces() const {
+    const auto file = [&](std::size_t i) { return i < measured.size() ? measured[i].get() : nullptr; };
+    if (joint.faces.empty()) return {{"surface", &joint.face, file(0)}};
+    return {{"upper", &joint.faces[0], file(0)}, {"lower", &joint.faces[1], file(1)}};
 }
 
-std::vector<Assumed> assumed(const Scene& scene) {
+std::vector<Assumed> Scene::assumed() const {
     std::vector<Assumed> assumptions;
-    const bool of_map = scene.face.map && scene.face.spectrum_of_map;
-    if (of_map ||
-        std::none_of(scene.laws.begin(), scene.laws.end(), [](const detail::Law* law) { return law->needs_spectrum; }))
+    const bool of_map = joint.face.map && joint.face.spectrum_of_map;
+    if (of_map || std::none_of(laws.begin(), laws.end(), [](const detail::Law* law) { return law->needs_spectrum; }))
         return assumptions;
-    if (!scene.face.hurst) {
-        const double hurst = hurst_exponent(scene.face),
-                     least = detail::least_hurst(spectral_moments(scene.face), scene.face.widest_band);
+    if (!joint.face.hurst) {
+        const double hurst = hurst_exponent(joint.face),
+                     least = detail::least_hurst(spectral_moments(joint.face), joint.face.widest_band);
         assumptions.push_back({"hurst", "Hurst",
                                hurst == least           ? "of a band as wide as what was measured"
-                               : scene.face.dimension() ? "2 - D"
+                               : joint.face.dimension() ? "2 - D"
                                                         : "assumed, since D is not known",
                                hurst});
     }
-    if (!scene.face.alpha)
+    if (!joint.face.alpha)
         assumptions.push_back({"alpha", "alpha",
-                               scene.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
-                               spectral_moments(scene.face).bandwidth()});
+                               joint.face.rms_gradient ? "of sigma, R and rms_gradient" : "of sigma, R and D_p",
+                               spectral_moments(joint.face).bandwidth()});
     return assumptions;
 }
 
-std::vector<NamedFace> measured_files(const Scene& scene) {
-    std::vector<NamedFace> faces = named_faces(scene);
+std::vector<NamedFace> Scene::measured_files() const {
+    std::vector<NamedFace> faces = named_faces();
     std::erase_if(faces, [](const NamedFace& named_face) { return !named_face.measured; });
     return faces;
 }
@@ -80,10 +79,10 @@ std::string phrase_of(const detail::Prior& prior, const detail::Face& face) {
            document::rounded(high, 2) + "), " + from();
 }
 
-std::string phrase_of_hardness(const Scene& scene) {
-    const auto& [low, middle, high] = *scene.hardness_range;
+std::string Scene::phrase_of_hardness() const {
+    const auto& [low, middle, high] = *joint.hardness_range;
     const auto name = [](const NamedMaterial* material) { return std::string(material ? material->name : ""); };
-    const std::string upper = name(scene.upper_name), lower = name(scene.lower_name);
+    const std::string upper = name(upper_name), lower = name(lower_name);
     return "hardness " + document::with_unit(middle, "Pa", 2) + " (" + document::with_unit(low, "Pa", 2) + " to " +
            document::with_unit(high, "Pa", 2) + "), of " +
            (upper.empty() || lower.empty() ? "the softer body"
@@ -120,21 +119,21 @@ std::string no_spectrum(const detail::Face& face, Lack lack) {
 
 }  // namespace
 
-std::string refusal_of(const detail::Law& law, const Scene& scene) {
-    const std::string name(scene.upper_name ? scene.upper_name->name : "");
+std::string Scene::refusal_of(const detail::Law& law) const {
+    const std::string name(upper_name ? upper_name->name : "");
     const std::string section = name.empty() ? "" : "; name = \"" + name + "\" in that section keeps the rest";
-    switch (const Lack lack = lack_of(law, scene, scene.at_separations)) {
+    switch (const Lack lack = lack_of(law, joint, at_separations)) {
         case Lack::nothing: return "";
         case Lack::separation: return detail::reason_of(lack) + "; give contact.pressures";
         case Lack::peaks:
             return "needs surface.peak_radius and surface.peak_density, which are not known: " +
-                   scene.face.parameters.why_no_density;
+                   joint.face.parameters.why_no_density;
         case Lack::map:
             return "needs a map: surface.from, or --surface, must name the file of one (the JSON of fstiff measure "
                    "holds its numbers alone)";
         case Lack::sum_of_maps:
             return "needs two maps of one grid, whose heights can be added: " +
-                   no_sum_of_maps(scene.faces.front(), scene.faces.back());
+                   no_sum_of_maps(joint.faces.front(), joint.faces.back());
         case Lack::side: return detail::reason_of(lack);
         case Lack::hardness:
             return "needs material.upper.hardness or material.upper.yield_strength (hardness = 2.8 times it)" + section;
@@ -143,27 +142,26 @@ std::string refusal_of(const detail::Law& law, const Scene& scene) {
             return (law.needs_whole_map ? "needs a map without missing points: "
                     : law.needs_summits ? "needs summits: "
                                         : "needs a spectrum: ") +
-                   no_spectrum(scene.face, lack);
+                   no_spectrum(joint.face, lack);
     }
 }
 
-std::vector<const detail::Law*> offered_laws(const Scene& scene) {
-    if (!scene.best) return scene.laws;
-    std::vector<const detail::Law*> laws;
+std::vector<const detail::Law*> Scene::offered_laws() const {
+    if (!best) return laws;
+    std::vector<const detail::Law*> possible;
     for (const ChosenLaw& law : detail::all_laws())
-        if (refusal_of(law.row(), scene).empty()) laws.push_back(&law.row());
-    return laws;
+        if (refusal_of(law.row()).empty()) possible.push_back(&law.row());
+    return possible;
 }
 
-std::vector<std::size_t> points_of_answer(const Scene& scene) {
+std::vector<std::size_t> Scene::points_of_answer() const {
     constexpr std::size_t most = 12;
-    const std::vector<double>& points = scene.points;
     const auto [least, greatest] = std::minmax_element(points.begin(), points.end());
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double decade = points[i] > 0 ? std::log10(points[i]) : 0.5;
-        const bool is_decade = !scene.at_separations && std::abs(decade - std::round(decade)) < 1e-6;
-        if (scene.listed || points.size() <= most || is_decade || points[i] == *least || points[i] == *greatest)
+        const bool is_decade = !at_separations && std::abs(decade - std::round(decade)) < 1e-6;
+        if (listed || points.size() <= most || is_decade || points[i] == *least || points[i] == *greatest)
             chosen.push_back(i);
     }
     if (chosen.size() > 2 || points.size() <= most) return chosen;
@@ -173,29 +171,73 @@ std::vector<std::size_t> points_of_answer(const Scene& scene) {
     return chosen;
 }
 
-detail::Request request_of(const Scene& scene) {
-    detail::Request request{.points = scene.points,
-                            .at_separations = scene.at_separations,
-                            .answered = points_of_answer(scene),
-                            .approach = scene.asks(CurveQuantity::approach),
-                            .log_slopes = scene.asks(CurveQuantity::loss_factor),
-                            .seating = scene.seating,
-                            .samples = scene.samples,
-                            .seed = scene.seed,
-                            .solves_map = scene.solves_map};
-    if (scene.best) return request;
-    request.laws = scene.laws;
-    request.quantities = Quantity::pressure | Quantity::separation;
-    const auto add = [&](bool wanted, Quantity more) {
-        if (wanted) request.quantities = request.quantities | more;
-    };
-    add(scene.needs_stiffness(), Quantity::stiffness);
-    add(scene.asks(CurveQuantity::real_area) || scene.conduction.thermal_film > 0 ||
-            scene.conduction.electrical_film > 0,
-        Quantity::real_area_fraction);
-    add(scene.asks(CurveQuantity::contacts), Quantity::contact_density | Quantity::real_area_fraction);
-    add(scene.asks(CurveQuantity::loading_stiffness), Quantity::loading_stiffness);
-    return request;
+AnswerOptions Scene::options() const {
+    AnswerOptions options{.quantities = {quantities.begin(), quantities.end()},
+                          .samples = samples,
+                          .seed = seed,
+                          .solve_map = solves_map,
+                          .seating = seating,
+                          .at_separations = at_separations,
+                          .places = points_of_answer(),
+                          .pressure_text = [](double pressure) { return document::with_unit(pressure, "Pa", 3); }};
+    if (best) return options;
+    for (const detail::Law* law : laws)
+        for (const ChosenLaw& each : detail::all_laws())
+            if (each.which == law->which) options.laws.push_back(each);
+    return options;
+}
+
+std::string Scene::shown_point(std::size_t i) const {
+    const std::string point = document::with_unit(points[i], at_separations ? "m" : "Pa", 3);
+    return forces.empty() ? point : document::with_unit(forces[i], "N", 3) + ", " + point;
+}
+
+bool Scene::needs_stiffness() const {
+    return std::any_of(quantities.begin(), quantities.end(), [](const std::string& word) {
+        return detail::quantity_called(word).of_law == Quantity::stiffness;
+    });
+}
+
+double NumberOf::operator()(const AnswerPoint& point) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const AnswerPoint::Value* value = point.find(quantity->word);
+    if (!value) return none;
+    if (part.empty()) return value->number.value;
+    if (part == "_error") return value->error;
+    return part == "_p05" ? value->number.low : value->number.high;
+}
+
+std::vector<NumberOf> Scene::columns(bool bands) const {
+    std::vector<NumberOf> columns;
+    for (const AnswerQuantity& quantity : answer_quantities()) {
+        if (!asks(quantity.word)) continue;
+        columns.push_back({&quantity});
+        if (!quantity.follows_stiffness()) continue;
+        columns.push_back({&quantity, "_error"});
+        if (!bands) continue;
+        columns.push_back({&quantity, "_p05"});
+        columns.push_back({&quantity, "_p95"});
+    }
+    return columns;
+}
+
+NumberOf number_called(std::string_view key, std::string_view name) {
+    std::string keys;
+    for (const AnswerQuantity& quantity : answer_quantities()) {
+        for (const std::string_view part : {"", "_error", "_p05", "_p95"})
+            if ((part.empty() || quantity.follows_stiffness()) && quantity.key(part) == key) return {&quantity, part};
+        keys += (keys.empty() ? "" : ", ") + quantity.key();
+    }
+    throw domain_error(std::string(name) + " = \"" + std::string(key.substr(0, 60)) + "\": must be one of " + keys +
+                       ", with _p05 or _p95 before the unit for an end of a band");
+}
+
+std::vector<const AnswerQuantity*> words_for_quantities() {
+    std::vector<const AnswerQuantity*> words;
+    for (const AnswerQuantity& quantity : answer_quantities())
+        if (quantity.place > 0) words.push_back(&quantity);
+    std::sort(words.begin(), words.end(), [](auto* a, auto* b) { return a->place < b->place; });
+    return words;
 }
 
 }  // namespace fstiff::scene

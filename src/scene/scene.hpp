@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A scene: a surface, two bodies and what is asked of their contact, read from TOML. Every key, unit and default is in
-// docs/scene.md. results.hpp computes it.
+// docs/scene.md. actions/answered.hpp computes it.
 
-#include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/request.hpp>
+#include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/resolved_joint.hpp>
 #include "request/field.hpp"
-#include "scene/curve_quantity.hpp"
 #include "surface/measured_surface.hpp"
 
 #include <fstiff/asperity/named_materials.hpp>
@@ -15,12 +13,13 @@
 #include <fstiff/core/parallel.hpp>
 
 #include <algorithm>
-#include <bitset>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fstiff::scene {
@@ -48,8 +47,34 @@ struct Ball {
     std::vector<double> forces;  ///< [N]
 };
 
+struct NamedFace {
+    std::string_view name;
+    const detail::Face* face;
+    const surface::MeasuredSurface* measured;  ///< null where it was not
+};
+
+/// H or alpha of a spectrum that is a band: not given, so taken from other numbers or for a usual one.
+struct Assumed {
+    std::string_view key, symbol;  ///< "hurst" and "Hurst", "alpha" and "alpha"
+    std::string how;               ///< where the value comes from
+    double value;
+};
+
+/// A number of a point that a column has: a quantity, its numerical error "_error", or "_p05" or "_p95", an end of its
+/// band.
+struct NumberOf {
+    const AnswerQuantity* quantity;
+    std::string_view part{};
+
+    [[nodiscard]] std::string key() const { return quantity->key(part); }
+    /// NaN where it is not there.
+    [[nodiscard]] double operator()(const AnswerPoint& point) const;
+    [[nodiscard]] bool operator==(const NumberOf& other) const = default;
+};
+
 /// A joint, what is asked of it, and the text that both come from.
-struct Scene : detail::ResolvedJoint {
+struct Scene {
+    detail::ResolvedJoint joint;
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene
@@ -71,7 +96,6 @@ struct Scene : detail::ResolvedJoint {
     bool listed = true;          ///< the points were written one by one
     std::vector<double> forces;  ///< that the points are the pressures of [N]; empty: contact.force is not there
     std::optional<Ball> ball{};  ///< `points` are pressures below it
-    bool is_joint = false;       ///< a force or a washer is given: K [N/m] and the approach are asked for
     double seating = 1e3;        ///< the approach is 0 at this pressure [Pa]
     std::string points_where;    ///< file, line and key for messages
     std::vector<const detail::Law*> laws;
@@ -81,60 +105,55 @@ struct Scene : detail::ResolvedJoint {
     int samples = 400;  ///< of the band; 0: no band
     std::uint64_t seed = 2014;
 
-    /// Pressure and eta, those of output.quantities, and force and the conductance of the gap where the scene has them.
-    std::bitset<curve_quantity_count> quantities{1u << static_cast<unsigned>(CurveQuantity::pressure) |
-                                                 1u << static_cast<unsigned>(CurveQuantity::eta)};
-    [[nodiscard]] bool asks(CurveQuantity quantity) const { return quantities[static_cast<std::size_t>(quantity)]; }
-    void ask(CurveQuantity quantity, bool wanted = true) { quantities[static_cast<std::size_t>(quantity)] = wanted; }
+    /// Words of answer_quantities(): pressure and eta, those of output.quantities, and force and the conductance of the
+    /// gap where the scene has them.
+    std::set<std::string, std::less<>> quantities{"pressure", "eta"};
+    [[nodiscard]] bool asks(std::string_view word) const { return quantities.find(word) != quantities.end(); }
     /// Whether K is computed, though it may not be shown.
     [[nodiscard]] bool needs_stiffness() const;
 
     Body upper_body, lower_body;
     /// Takes `upper` and `lower` into the joint, in place of the elastic constants of the bodies.
     void take_bodies() {
-        upper_body.elastic = upper, lower_body.elastic = lower;
-        detail::take_bodies(upper_body, lower_body, {}, *this);
+        upper_body.elastic = joint.upper, lower_body.elastic = joint.lower;
+        detail::take_bodies(upper_body, lower_body, {}, joint);
     }
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
     std::vector<Input> inputs;       ///< every key that was written or filled in by a default
+
+    /// Every rough face, called surface, or upper and lower; and those that were measured.
+    [[nodiscard]] std::vector<NamedFace> named_faces() const;
+    [[nodiscard]] std::vector<NamedFace> measured_files() const;
+    /// Assumptions of the laws; empty where no law takes a band, or both numbers were given or measured.
+    [[nodiscard]] std::vector<Assumed> assumed() const;
+    /// "hardness 2.6 GPa (1.2 to 9.5) of steel", where it was assumed.
+    [[nodiscard]] std::string phrase_of_hardness() const;
+    /// The points that the answer of a table and boundary elements are of, in their order: all up to twelve or of a
+    /// list; else the ends and the decades.
+    [[nodiscard]] std::vector<std::size_t> points_of_answer() const;
+    /// How the answer is computed.
+    [[nodiscard]] AnswerOptions options() const;
+    /// The columns, with \p bands those of the ends too, which only a curve with a band has numbers in.
+    [[nodiscard]] std::vector<NumberOf> columns(bool bands) const;
+    /// Point \p i for people: "10 MPa", "20 kN, 100 MPa" of a force, "0.5 µm" of a separation.
+    [[nodiscard]] std::string shown_point(std::size_t i) const;
+    /// Why \p law cannot be computed; empty where it can.
+    [[nodiscard]] std::string refusal_of(const detail::Law& law) const;
+    /// The laws that may be asked for by name: those that the scene names; where it names none, all that can be
+    /// computed.
+    [[nodiscard]] std::vector<const detail::Law*> offered_laws() const;
 };
 
-struct NamedFace {
-    std::string_view name;
-    const detail::Face* face;
-    const surface::MeasuredSurface* measured;  ///< null where it was not
-};
-/// Every rough face of \p scene, called surface, or upper and lower; and those that were measured.
-[[nodiscard]] std::vector<NamedFace> named_faces(const Scene& scene);
-[[nodiscard]] std::vector<NamedFace> measured_files(const Scene& scene);
-
-/// H or alpha of a spectrum that is a band: not given, so taken from other numbers or for a usual one.
-struct Assumed {
-    std::string_view key, symbol;  ///< "hurst" and "Hurst", "alpha" and "alpha"
-    std::string how;               ///< where the value comes from
-    double value;
-};
-/// Assumptions of the laws of \p scene; empty where no law takes a band, or both numbers were given or measured.
-[[nodiscard]] std::vector<Assumed> assumed(const Scene& scene);
-
-/// "hardness 2.6 GPa (1.2 to 9.5) of steel", where it was assumed.
-[[nodiscard]] std::string phrase_of_hardness(const Scene& scene);
 /// "alpha 8 (2 to 50), of any process": what was assumed of \p face; empty of what was measured.
 [[nodiscard]] std::string phrase_of(const detail::Prior& prior, const detail::Face& face);
 /// "3 points are missing; fill = true ... fills them": of the map of a face, empty where none is.
 [[nodiscard]] std::string missing_phrase(const detail::Face& face);
 
-/// The points that the answer of a table and boundary elements are of, in their order: all up to twelve or of a list;
-/// else the ends and the decades.
-[[nodiscard]] std::vector<std::size_t> points_of_answer(const Scene& scene);
-/// What \p scene asks of its joint.
-[[nodiscard]] detail::Request request_of(const Scene& scene);
-
-/// Why \p law cannot be computed of \p scene; empty where it can.
-[[nodiscard]] std::string refusal_of(const detail::Law& law, const Scene& scene);
-/// The laws that may be asked of \p scene by name: those that it names; where it names none, all that can be computed.
-[[nodiscard]] std::vector<const detail::Law*> offered_laws(const Scene& scene);
+/// The number that CSV and JSON call \p key. \throws domain_error with the keys, of the parameter \p name.
+[[nodiscard]] NumberOf number_called(std::string_view key, std::string_view name = "key");
+/// Those of output.quantities, in the order of their words.
+[[nodiscard]] std::vector<const AnswerQuantity*> words_for_quantities();
 
 /// Where a scene comes from.
 struct SceneSource {

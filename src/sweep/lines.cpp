@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/lines.hpp"
 
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "document/file.hpp"
 #include "document/json.hpp"
 
@@ -17,8 +16,6 @@
 
 namespace fstiff::sweep {
 namespace {
-
-using actions::Curve;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -75,15 +72,13 @@ private:
         try {
             maker_.make(block_.values[place], work_);
             bool misses = false;
-            for (const Curve& curve : actions::curves_of(work_.scene, work_.contacts)) {
-                auto missed = curve.missed.begin();
-                for (std::size_t point = 0; point < work_.scene.points.size(); ++point)
-                    if (missed != curve.missed.end() && missed->place == point)
-                        add_missed(place, curve, *missed++);
-                    else
-                        add_state(place, curve, point - static_cast<std::size_t>(missed - curve.missed.begin()));
-                misses = misses || !curve.missed.empty();
-            }
+            const std::vector<AnswerCurve> curves = actions::curves_of(work_.scene, work_.contacts);
+            take_columns(curves);
+            for (const AnswerCurve& curve : curves)
+                for (const AnswerPoint& point : curve.points) {
+                    add(place, curve, point);
+                    misses = misses || !point.ok();
+                }
             block_.failed += misses ? 1 : 0;
         } catch (const domain_error& error) {
             refuse(error);
@@ -102,14 +97,15 @@ private:
             const bool allowed = std::all_of(points.begin(), points.end(), [&](double x) {
                 return std::isfinite(x) && (work_.scene.at_separations || x > 0);
             });
-            const std::vector<Curve> curves =
-                allowed ? actions::curves_of(work_.scene, work_.contacts) : std::vector<Curve>();
+            const std::vector<AnswerCurve> curves =
+                allowed ? actions::curves_of(work_.scene, work_.contacts) : std::vector<AnswerCurve>();
             points.resize(1);  // that of the next scene is put in its place
             if (!allowed) return false;
-            for (const Curve& curve : curves)
-                if (curve.states.size() != scenes.size()) return false;
+            for (const AnswerCurve& curve : curves)
+                if (actions::count_of(curve) != scenes.size()) return false;
+            take_columns(curves);
             for (std::size_t i = 0; i < scenes.size(); ++i)
-                for (const Curve& curve : curves) add_state(scenes[i], curve, i);
+                for (const AnswerCurve& curve : curves) add(scenes[i], curve, curve.points[i]);
             return true;
         } catch (const domain_error&) {
         } catch (const file_error&) {
@@ -118,38 +114,35 @@ private:
         return false;
     }
 
-    /// A row of \p curve, whose columns are not there yet.
-    Row& add_row(std::size_t place, const Curve& curve, const detail::Law& law) {
-        const auto has_keys = [&](const std::vector<const std::string*>& keys) {
-            return std::equal(keys.begin(), keys.end(), curve.columns.begin(), curve.columns.end(),
-                              [](const std::string* key, const scene::Column& column) { return key == &column.key(); });
-        };
-        if (block_.headers.empty() || !has_keys(block_.headers.back())) {
-            auto& keys = block_.headers.emplace_back();
-            for (const scene::Column& column : curve.columns) keys.push_back(&column.key());
-        }
-        block_.rows.push_back({place, &law, block_.headers.size() - 1, block_.numbers.size()});
+    /// The columns of \p curves, under which their rows are.
+    void take_columns(const std::vector<AnswerCurve>& curves) {
+        const bool bands =
+            std::any_of(curves.begin(), curves.end(), [](const AnswerCurve& curve) { return curve.has_band; });
+        columns_ = work_.scene.columns(bands);
+        if (block_.headers.empty() || block_.headers.back() != columns_) block_.headers.push_back(columns_);
+    }
+
+    /// A row of \p point of \p curve. One that the law does not reach has that point alone, and the reason.
+    void add(std::size_t place, const AnswerCurve& curve, const AnswerPoint& point) {
+        Row& row = block_.rows.emplace_back(Row{.scene = place,
+                                                .law = point.ok() ? point.law : curve.law,
+                                                .header = block_.headers.size() - 1,
+                                                .begin = block_.numbers.size(),
+                                                .answer = point.ok() && work_.scene.best});
+        if (!point.ok()) row.error = "law " + std::string(name_of(curve.law)) + ": " + point.reason;
         block_.numbers.push_back(curve.theta.value_or(none));
         block_.numbers.push_back(curve.r.value_or(none));
-        return block_.rows.back();
+        const std::string_view known = work_.scene.at_separations ? "separation" : "pressure";
+        for (const scene::NumberOf& column : columns_) {
+            const bool end_without_band = !curve.has_band && column.part.starts_with("_p");
+            const bool is_point = column.quantity->word == known && column.part.empty();
+            block_.numbers.push_back(point.ok() ? end_without_band ? none : column(point)
+                                     : is_point ? work_.scene.points[point.place]
+                                                : none);
+        }
     }
 
-    void add_state(std::size_t place, const Curve& curve, std::size_t i) {
-        add_row(place, curve, curve.law_at(i)).answer = !curve.by.empty();
-        for (const scene::Column& column : curve.columns)
-            block_.numbers.push_back(column.values.empty() ? none : column.values[i]);
-    }
-
-    /// A point that the law of \p curve does not reach: that point, nothing else, and why.
-    void add_missed(std::size_t place, const Curve& curve, const detail::MissedPoint& missed) {
-        const scene::Scene& scene = work_.scene;
-        add_row(place, curve, *curve.law).error =
-            "law " + std::string(curve.law->name) + ": " + actions::reason_of(scene, missed);
-        const auto known = scene.at_separations ? scene::CurveQuantity::separation : scene::CurveQuantity::pressure;
-        for (const scene::Column& column : curve.columns)
-            block_.numbers.push_back(column.quantity == known ? scene.points[missed.place] : none);
-    }
-
+    std::vector<scene::NumberOf> columns_{};
     const Grid& grid_;
     SceneMaker& maker_;
     SceneMaker::Work& work_;
@@ -205,18 +198,18 @@ std::string lines_of(const Grid& grid, const Block& block) {
             begin = beginning(grid, block.first + row.scene, block.values[row.scene]);
         last = &row;
         text += begin;
-        if (row.law) {
+        if (row.law != LawName::none) {
             const double* number = block.numbers.data() + row.begin;
             append_key(text, "law");
             text += '"';
-            text += row.law->name;
+            text += name_of(row.law);
             text += '"';
             for (const char* key : {"theta", "r"}) {
                 append_key(text, key);
                 append_exact(text, *number++);
             }
-            for (const std::string* key : block.headers[row.header]) {
-                append_key(text, *key);
+            for (const scene::NumberOf& column : block.headers[row.header]) {
+                append_key(text, column.key());
                 append_exact(text, *number++);
             }
         }

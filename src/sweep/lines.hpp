@@ -15,23 +15,23 @@ namespace fstiff::sweep {
 
 /// One row of results, or why there is none.
 struct Row {
-    std::size_t scene = 0;             ///< its place in the block
-    const detail::Law* law = nullptr;  ///< null: the scene cannot be computed
-    std::size_t header = 0;            ///< its place among those of the block
-    std::size_t begin = 0;             ///< of theta, r and its columns among the numbers of the block
+    std::size_t scene = 0;        ///< its place in the block
+    LawName law = LawName::none;  ///< none: the scene cannot be computed
+    std::size_t header = 0;       ///< its place among those of the block
+    std::size_t begin = 0;        ///< of theta, r and its columns among the numbers of the block
     bool answer = false;
     std::string error{};  ///< why the scene, or this point of it, has no results
 };
 
 /// Adjacent scenes of a grid.
 struct Block {
-    std::uint64_t first = 0, end = 0;                        ///< scenes from first up to end
-    std::uint64_t failed = 0;                                ///< of them cannot be computed, or not at every point
-    std::vector<std::vector<Value>> values{};                ///< of each scene, one for each axis
-    std::vector<std::vector<const std::string*>> headers{};  ///< keys of columns
-    std::vector<Row> rows{};                                 ///< in the order of the scenes
-    std::vector<double> numbers{};                           ///< of the rows, SI; NaN: none
-    std::string lines{};                                     ///< the rows as text, where it is asked for
+    std::uint64_t first = 0, end = 0;                     ///< scenes from first up to end
+    std::uint64_t failed = 0;                             ///< of them cannot be computed, or not at every point
+    std::vector<std::vector<Value>> values{};             ///< of each scene, one for each axis
+    std::vector<std::vector<scene::NumberOf>> headers{};  ///< columns
+    std::vector<Row> rows{};                              ///< in the order of the scenes
+    std::vector<double> numbers{};                        ///< of the rows, SI; NaN: none
+    std::string lines{};                                  ///< the rows as text, where it is asked for
 };
 
 /// The scenes from \p first on, \p count of them. Scenes that differ in their point alone are computed together,

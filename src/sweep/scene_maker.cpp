@@ -3,6 +3,7 @@
 
 #include "scene/readers.hpp"
 #include "sweep/scene_table.hpp"
+#include "sweep/template.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -20,19 +21,19 @@ constexpr std::size_t most_scenes_read = 16;  // of the cache: measured maps are
 
 template <Parameter parameter>
 void put_parameter(Scene& scene, std::size_t, double value) {
-    scene.face.parameters.find(parameter)->value = value;
+    scene.joint.face.parameters.find(parameter)->value = value;
 }
 void put_point(Scene& scene, std::size_t place, double value) { scene.points[place] = value; }
 void put_upper_modulus(Scene& scene, std::size_t is_of_both, double value) {
-    scene.upper.youngs_modulus = value;
-    if (is_of_both) scene.lower.youngs_modulus = value;
+    scene.joint.upper.youngs_modulus = value;
+    if (is_of_both) scene.joint.lower.youngs_modulus = value;
     scene.take_bodies();
 }
 void put_lower_modulus(Scene& scene, std::size_t, double value) {
-    scene.lower.youngs_modulus = value;
+    scene.joint.lower.youngs_modulus = value;
     scene.take_bodies();
 }
-void put_frequency(Scene& scene, std::size_t, double value) { scene.ultrasound->frequency = value; }
+void put_frequency(Scene& scene, std::size_t, double value) { scene.joint.ultrasound->frequency = value; }
 
 constexpr SceneMaker::Number numbers[]{
     {"contact.pressures[", "Pa", put_point, 0, infinity},
@@ -185,8 +186,8 @@ void SceneMaker::make(const std::vector<Value>& values, Work& work) {
     if (!same) {
         work.contacts.clear();  // before what they were made of
         if (work.scene.best)
-            work.scene.laws = {&law_of_answer(work.scene, work.scene.at_separations)};  // peaks may flow now
-        work.contacts = contacts_of(work.scene, work.scene.laws);
+            work.scene.laws = {&law_of_answer(work.scene.joint, work.scene.at_separations)};  // peaks may flow now
+        work.contacts = contacts_of(work.scene.joint, work.scene.laws);
     }
     work.made_for = values;
 }

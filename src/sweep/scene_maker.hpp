@@ -6,7 +6,7 @@
 // Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
 
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "sweep/grid.hpp"
 
 #include <functional>

@@ -87,7 +87,7 @@ void check_rise(int joints) {
                 CHECK(at.stiffness.value > last->stiffness.value);
                 CHECK(at.stiffness.low >= last->stiffness.low);
                 CHECK(at.stiffness.high >= last->stiffness.high);
-                CHECK(at.approach > last->approach);
+                CHECK(at["approach"] > (*last)["approach"]);
                 // above half the hardness the mean planes approach ever faster (theory-contact.md, section 10)
                 const auto& range = joint.upper.hardness_range;
                 const double H = range ? range->middle : *joint.upper.hardness;

@@ -618,6 +618,17 @@ static void test_answer(void) {
     CHECK(loading[0] == wanted[0] && loading[1] == wanted[1]);
     of_scene(scene, "answer.*.causes.prior", wanted, 2);
     CHECK(causes[FSTIFF_CAUSE_PRIOR] == wanted[0] && causes[FSTIFF_CAUSES + FSTIFF_CAUSE_PRIOR] == wanted[1]);
+    const char* keys[] = {"stiffness_p05_N_per_m", "separation_m", "thermal_conductance_W_per_m2K"};
+    double low_of_area[2], separation[2], heat[2] = {1, 1};
+    double* numbers[] = {low_of_area, separation, heat};
+    fstiff_answer_points by_key = {.size = sizeof by_key, .key_count = 3, .keys = keys, .numbers = numbers};
+    CHECK(fstiff_answer(&joint, pressures, 2, &by_key, NULL) == FSTIFF_OK);
+    CHECK(low_of_area[0] == low[0] * 1e-4 && separation[0] > separation[1] && heat[0] == 0);
+    keys[1] = "separation";
+    REFUSES(FSTIFF_REFUSED, "keys = \"separation\": must be one of force_N, ",
+            fstiff_answer(&joint, pressures, 2, &by_key, NULL));
+    keys[1] = NULL;
+    REFUSES(FSTIFF_BAD_ARGUMENT, "keys", fstiff_answer(&joint, pressures, 2, &by_key, NULL));
     CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_MEASUREMENT), "measurement") == 0);
     CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_LONG_WAVES), "long_waves") == 0);
     CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_NOISE), "noise") == 0 && FSTIFF_CAUSE_NOISE + 1 == FSTIFF_CAUSES);

@@ -15,8 +15,7 @@
 #include <fstiff/tabulated/tangential_law.hpp>
 #include <fstiff/topography/form.hpp>
 
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -133,12 +132,12 @@ int main(int, char** argv) {
         std::string(scene::builtin_scene) +  // which ends with [contact]
         "laws = [\"fractal\", \"hertz\", \"greenwood_williamson\"]\n"
         "peaks = [{ theta = \"pi/4\", r = \"exponential\" }, { theta = \"pi/3\", r = \"exponential\" }]\n";
-    const actions::Results scene = actions::compute(scene::read_scene(text, {.name = "builtin"}));
+    const actions::Answered scene = actions::compute(scene::read_scene(text, {.name = "builtin"}));
     std::ofstream(std::string(argv[2]) + ".scene", std::ios::binary) << text;
     for (std::size_t i = 0; i < 5; ++i) {
         std::vector<double> at_pressures, stiffness;
-        for (const auto& state : scene.curves[i].states)
-            at_pressures.push_back(state.pressure.value), stiffness.push_back(state.stiffness.value);
+        for (const AnswerPoint& point : scene.curves()[i].points)
+            at_pressures.push_back(point.pressure), stiffness.push_back(point.stiffness.value);
         print(("scene/p" + std::to_string(i)).c_str(), at_pressures);
         print(("scene/k" + std::to_string(i)).c_str(), stiffness);
     }

@@ -26,7 +26,7 @@ Identification<double> good() {
 
 std::vector<FitConcern> words(const Identification<double>& fit) {
     std::vector<FitConcern> all;
-    for (const auto& finding : concerns_of(fit)) all.push_back(finding.concern);
+    for (const auto& finding : detail::concerns_of(fit)) all.push_back(finding.concern);
     return all;
 }
 
@@ -35,33 +35,33 @@ using Concerns = std::vector<FitConcern>;
 }  // namespace
 
 TEST_CASE("Each concern of a fit is found by itself, with its parameters and its number") {
-    CHECK(concerns_of(good()).empty());
+    CHECK(detail::concerns_of(good()).empty());
 
     auto fit = good();
     fit.chi_squared = 10 + 3 * std::sqrt(20.0) + 1e-9;
     REQUIRE(words(fit) == Concerns{FitConcern::misfit});
-    CHECK(concerns_of(fit)[0].value == fit.chi_squared / 10);
+    CHECK(detail::concerns_of(fit)[0].value == fit.chi_squared / 10);
     fit.errors_known = false;
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
 
     fit = good();
     fit.correlation(1, 0) = fit.correlation(0, 1) = -0.991;
     REQUIRE(words(fit) == Concerns{FitConcern::correlated});
-    CHECK(concerns_of(fit)[0].value == -0.991);
-    CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height, Parameter::fractal_dimension});
+    CHECK(detail::concerns_of(fit)[0].value == -0.991);
+    CHECK(detail::concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height, Parameter::fractal_dimension});
 
     fit = good();
     fit.parameters[0].low = 0.9e-8, fit.parameters[0].high = 1e-6;
     REQUIRE(words(fit) == Concerns{FitConcern::unresolved});
-    CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
-    CHECK(test::relative_error(concerns_of(fit)[0].value, 1 / 0.9e-2) < 1e-15);
+    CHECK(detail::concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
+    CHECK(test::relative_error(detail::concerns_of(fit)[0].value, 1 / 0.9e-2) < 1e-15);
 
     for (const double end : {1 + 1e-7, 2 - 1e-7}) {
         fit = good();
         fit.parameters[1].value = end;
         fit.parameters[1].at_bound = true;
         REQUIRE(words(fit) == Concerns{FitConcern::at_bound});
-        CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::fractal_dimension});
+        CHECK(detail::concerns_of(fit)[0].parameters == std::vector{Parameter::fractal_dimension});
     }
 
     fit = good();
@@ -74,38 +74,38 @@ TEST_CASE("Points far from the model, one far from the others and a value far fr
     auto fit = good();
     fit.errors_known = false;
     fit.scatter = 0.25;
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
     fit.scatter = 0.2501;
     REQUIRE(words(fit) == Concerns{FitConcern::scattered});
-    CHECK(concerns_of(fit)[0].value == 0.2501);
+    CHECK(detail::concerns_of(fit)[0].value == 0.2501);
 
     fit = good();
     fit.residuals = {0.3, -0.4, 0.41, 4.09, -0.45};  // median 0.41
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
     fit.residuals[3] = -4.11;
     REQUIRE(words(fit) == Concerns{FitConcern::outlier});
-    CHECK(concerns_of(fit)[0].point == 3);
-    CHECK(test::relative_error(concerns_of(fit)[0].value, 4.11 / 0.41) < 1e-15);
+    CHECK(detail::concerns_of(fit)[0].point == 3);
+    CHECK(test::relative_error(detail::concerns_of(fit)[0].value, 4.11 / 0.41) < 1e-15);
     fit.degrees_of_freedom = 2;
     fit.chi_squared = 2;
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
     fit = good();
     fit.residuals = {0.1, -0.1, 0.1, 3.9, 0.1};  // within 4 errors
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
     fit.errors_known = false;
     fit.scatter = 0.05 / 3.91;
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
     fit.scatter = 0.05 / 3.89;
     CHECK(words(fit) == Concerns{FitConcern::outlier});
 
     fit = good();
     fit.start.rms_height = 29e-6;
-    CHECK(concerns_of(fit).empty());
+    CHECK(detail::concerns_of(fit).empty());
     for (const double start : {31e-6, 1e-6 / 31}) {
         fit.start.rms_height = start;
         REQUIRE(words(fit) == Concerns{FitConcern::far_from_start});
-        CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
-        CHECK(concerns_of(fit)[0].value == 1e-6 / start);
+        CHECK(detail::concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
+        CHECK(detail::concerns_of(fit)[0].value == 1e-6 / start);
     }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("A parameter without effect on the data is the only concern and is fat
     fit.parameters[0].null_share = 1;
     fit.parameters[1].null_share = 0.01;
     REQUIRE(words(fit) == Concerns{FitConcern::singular});
-    CHECK(concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
+    CHECK(detail::concerns_of(fit)[0].parameters == std::vector{Parameter::rms_height});
     CHECK(detail::is_fatal(FitConcern::singular));
     CHECK((detail::is_fatal(FitConcern::not_converged) && detail::is_fatal(FitConcern::at_bound)));
     for (const FitConcern concern : {FitConcern::misfit, FitConcern::scattered, FitConcern::outlier,
@@ -140,8 +140,8 @@ TEST_CASE("R and D_p of K(p) cannot be separated sigma alone has no concerns") {
     }
     const auto both = identify(data, {Parameter::peak_radius, Parameter::peak_density}, truth, hertz);
     REQUIRE(words(both) == Concerns{FitConcern::singular});
-    CHECK(concerns_of(both)[0].parameters == std::vector{Parameter::peak_radius, Parameter::peak_density});
-    CHECK(concerns_of(identify(data, {Parameter::rms_height}, truth, hertz)).empty());
+    CHECK(detail::concerns_of(both)[0].parameters == std::vector{Parameter::peak_radius, Parameter::peak_density});
+    CHECK(detail::concerns_of(identify(data, {Parameter::rms_height}, truth, hertz)).empty());
 }
 
 }  // namespace fit_concerns_test

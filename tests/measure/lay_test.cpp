@@ -109,7 +109,7 @@ TEST_CASE("Str of a strip is that of its own points, however long it is") {
 TEST_CASE("A lay is a concern of what was measured") {
     Profile<double> profile = self_affine_profile(rough(0.8, 40e-6, 3), 2048, 1e-6);
     const auto has_lay = [](const Profile<double>& of) {
-        const auto all = concerns_of(detail::surface_parameters(of));
+        const auto all = detail::concerns_of(detail::surface_parameters(of));
         return std::count(all.begin(), all.end(), MeasuredConcern::lay) == 1;
     };
     CHECK_FALSE(has_lay(profile));

@@ -69,7 +69,7 @@ TEST_CASE("A measured profile has the parameters of its steps taken by hand") {
     CHECK(surface.rms_gradient.value == heights.rms_gradient.value);
     CHECK(surface.rms_gradient.error == heights.rms_gradient.error);
     CHECK(surface.heights->skewness.value == heights.skewness.value);
-    CHECK(surface.concerns == concerns_of(by_hand, surface.profile->rms_gradient));
+    CHECK(surface.concerns == detail::concerns_of(by_hand, surface.profile->rms_gradient));
     CHECK(relative_error(surface.size, 4096 * 0.5e-6) < 1e-14);
     CHECK(relative_error(surface.widest_band, 819.2) < 1e-14);  // 2.048 mm over 2.5 um
     CHECK(surface.profile->rms == rms_height(flat.profile));

@@ -15,7 +15,7 @@ namespace {
 
 json run(const std::string& text) {
     const auto scene = test::scene_of(text);
-    return test::parsed(fstiff::actions::run_document(scene, fstiff::actions::compute(scene)));
+    return test::parsed(fstiff::actions::run_document(fstiff::actions::compute(scene)));
 }
 
 std::string quoted(double value, const char* unit) {

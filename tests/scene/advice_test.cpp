@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every sentence that advises something is tested by following it, over the scenes of data/ and docs/ and the
 // files of tests/data: what is advised is not refused. A sentence that advises and is in no row of the table fails.
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/explanation.hpp"
 #include "support/library.hpp"
 #include "support/skip.hpp"
@@ -181,11 +181,11 @@ int follow(const Text& of, const std::string& sentence) {
 
 /// All sentences about \p results. The explanation has at most three, and nothing asks for a law that was not
 /// computed.
-std::vector<std::string> sentences_of(const scene::Scene& read, const actions::Results& results) {
+std::vector<std::string> sentences_of(const scene::Scene& read, const actions::Answered& results) {
     std::vector<std::string> all = results.explanation;
     CHECK(all.size() <= 3);
     for (const std::string& sentence : all) CHECK(sentence.find(". ") == std::string::npos);
-    all.push_back(actions::outside_band(read, results));
+    all.push_back(actions::outside_band(results));
     for (const auto* more : {&results.short_explanation, &results.warnings})
         all.insert(all.end(), more->begin(), more->end());
     if (test::face(read).measured)
@@ -261,7 +261,7 @@ TEST_CASE("Advice about holes, spikes, a lay and waviness can be followed") {
             said += sentence + "\n";
         }
         for (const ChosenLaw& one : detail::all_laws())
-            if (const std::string why = scene::refusal_of(one.row(), read); !why.empty())
+            if (const std::string why = read.refusal_of(one.row()); !why.empty())
                 (void)follow({with_line(with_line(of.text, "[material.upper]", "yield_strength = \"1 GPa\""),
                                         "[surface]", "fractal_dimension = 1.5"),
                               of.file},

@@ -47,18 +47,18 @@ struct Coverage {
         for (const double p : p_stars) scene << '"' << 0.1 * p * modulus << " Pa\",";
         scene << "]\n";
         const auto results = test::results_of(scene.str());
-        REQUIRE(results.answer.has_value());
-        const auto& curve = results.answer->curve;
-        REQUIRE(curve.band.size() == p_stars.size());
+        REQUIRE(results.has_answer());
+        const auto& curve = results.answer;
+        REQUIRE(curve.points.size() == p_stars.size());
         const std::string name = kind.find(',') == std::string::npos ? kind : '"' + kind + '"';
         for (std::size_t i = 0; i < p_stars.size(); ++i) {
             std::ostringstream key;
             key << name << ',' << seed << ",1,0," << p_stars[i];
             const double K = truth.at(key.str()) * modulus / side;
-            const bool holds = curve.band[i].low <= K && K <= curve.band[i].high;
+            const bool holds = curve.points[i].stiffness.low <= K && K <= curve.points[i].stiffness.high;
             inside += holds;
             ++all;
-            if (i == 1) widths.push_back(curve.band[i].high / curve.band[i].low);
+            if (i == 1) widths.push_back(curve.points[i].stiffness.high / curve.points[i].stiffness.low);
         }
     }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a scene: one K a pressure with its band, its causes and its law. Truth: the law itself, named alone;
 // the statements of docs/scene.md about it, one by one.
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/explanation.hpp"
 
 #include "support/library.hpp"
@@ -43,13 +43,13 @@ std::string map_of(const test::Folder& folder, int points) {
 
 struct Answered {
     scene::Scene of;
-    actions::Results results;
+    actions::Answered results;
     json rows;  ///< of the JSON document
 
     explicit Answered(const std::string& text, const std::string& file = "s.toml")
         : of(test::scene_of(text, file)),
           results(actions::compute(of)),
-          rows(test::parsed(actions::answer_json(of, results))) {}
+          rows(test::parsed(actions::run_document(results)).at("answer")) {}
 
     [[nodiscard]] std::string law(std::size_t row) const { return rows.at(row).at("law"); }
     [[nodiscard]] double K(std::size_t row) const { return rows.at(row).at("stiffness_Pa_per_m"); }
@@ -82,10 +82,10 @@ TEST_CASE("A scene that names no law has one answer for each pressure, as laws =
     check_rows(absent.rows);
     CHECK(absent.rows == best.rows);
     CHECK(absent.of.best);
-    CHECK(absent.results.curves.size() == 1);
+    CHECK(absent.results.curves().size() == 1);
     CHECK(absent.law(0) == "hybrid");
     const Answered alone(text_of(numbers, "laws = [\"hybrid\"]\n" + wide));
-    for (std::size_t i = 0; i < 9; ++i) CHECK(absent.K(i) == alone.results.curves[0].states[i].stiffness.value);
+    for (std::size_t i = 0; i < 9; ++i) CHECK(absent.K(i) == alone.results.curves()[0].points[i].state.stiffness.value);
 }
 
 TEST_CASE("Named laws change no digit of the answer, whichever they are and whatever is asked for") {
@@ -122,7 +122,7 @@ TEST_CASE(
     const auto named = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact));
     REQUIRE(answer.rows.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
-        const auto& state = named.curves[0].states[i];
+        const auto& state = named.curves()[0].points[i].state;
         REQUIRE(state.real_area_fraction.value * 64 * 64 >= 20);
         CHECK(answer.law(i) == "boundary_elements");
         CHECK(test::relative_error(answer.K(i), state.stiffness.value) < 1e-12);
@@ -138,7 +138,7 @@ TEST_CASE(
         if (row.at("law") == "boundary_elements") {
             const auto solved =
                 test::results_of(text_of(spike, "laws = [\"boundary_elements\"]\npressures = [\"1 GPa\"]\n"));
-            CHECK(solved.curves[0].states[0].real_area_fraction.value * 64 * 64 >= 20);
+            CHECK(solved.curves()[0].points[0].state.real_area_fraction.value * 64 * 64 >= 20);
         }
 }
 
@@ -150,13 +150,13 @@ TEST_CASE(
     const Answered whole(text_of(map, contact)), coarser(text_of(map, contact + coarse));
     const auto named = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + coarse));
     CHECK(coarser.law(0) == "boundary_elements");
-    CHECK(coarser.K(0) == named.curves[0].states[0].stiffness.value);
+    CHECK(coarser.K(0) == named.curves()[0].points[0].state.stiffness.value);
     CHECK(coarser.K(0) != whole.K(0));
     // the law's own error is that of one p*, whatever the grid
     const auto own = [&](const Answered& one, const std::string& grid) {
         const auto solved = test::results_of(text_of(map, "laws = [\"boundary_elements\"]\n" + contact + grid));
-        const auto& K = solved.curves[0].states[0].stiffness;
-        const double high = one.results.answer->reasons[0].causes[static_cast<std::size_t>(fstiff::Cause::law)].high;
+        const auto& K = solved.curves()[0].points[0].state.stiffness;
+        const double high = one.results.answer.points[0].causes[static_cast<std::size_t>(fstiff::Cause::law)].high;
         CHECK(high > K.error / K.value);
         return std::sqrt(high * high - std::pow(K.error / K.value, 2));
     };
@@ -205,7 +205,7 @@ TEST_CASE("The mean planes pass each other above half the hardness, and the appr
                 "pressures = [\"10 MPa\", \"50 MPa\", \"67 MPa\", \"95 MPa\", \"100 MPa\"]\nlaws = [\"plastic\"]\n" +
                     std::string("[output]\nquantities = [\"approach\", \"stiffness\", \"loading_stiffness\"]\n"),
                 "hardness = \"100 MPa\"\n"));
-    const auto& states = results.curves[0].states;
+    const auto states = test::states_of(results.curves()[0]);
     REQUIRE(states.size() == 4);
     const double sigma = states[0].separation.value / states[0].eta;
     // H/(E g) = 0.01: d/sigma is -0.43 and -1.63 at 0.67 and 0.95 H (boundary elements, H/(E g) = 0.02), 0 at H/2
@@ -213,7 +213,7 @@ TEST_CASE("The mean planes pass each other above half the hardness, and the appr
     CHECK(std::abs(states[2].separation.value / sigma + 0.43) < 0.02);
     CHECK(std::abs(states[3].separation.value / sigma + 1.63) < 0.03);
     for (const auto& state : states) CHECK(state.loading_stiffness.value <= state.stiffness.value);
-    CHECK(results.curves[0].missed.size() == 1);
+    CHECK(results.curves()[0].points.size() == 5);
     CHECK(contains(test::joined(results.warnings), "100 MPa reaches the hardness (100 MPa): the contact is closed"));
 }
 
@@ -236,8 +236,8 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
     const Answered none(text_of(numbers, wide)), large = of_area("100 mm^2"), small = of_area("0.01 mm^2");
     CHECK_FALSE(none.rows[0].contains("stiffness_N_per_m"));
     CHECK_FALSE(none.rows[0].contains("contacts"));
-    CHECK(contains(actions::outside_band(none.of, none.results), "few contacts"));
-    CHECK_FALSE(contains(actions::outside_band(large.of, large.results), "contacts"));
+    CHECK(contains(actions::outside_band(none.results), "few contacts"));
+    CHECK_FALSE(contains(actions::outside_band(large.results), "contacts"));
     for (std::size_t i = 0; i < 9; ++i) {
         CHECK(test::relative_error(double(large.rows[i].at("stiffness_N_per_m")), large.K(i) * 1e-4) < 1e-14);
         CHECK(test::relative_error(double(large.rows[i].at("contacts")), 1e4 * double(small.rows[i].at("contacts"))) <
@@ -247,7 +247,7 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
         CHECK(large.width(i) > none.width(i));
     }
     // the cause is that of the header, worked from the contacts
-    const auto& reason = small.results.answer->reasons[4];
+    const auto& reason = small.results.answer.points[4];
     CHECK(reason.causes[static_cast<std::size_t>(fstiff::Cause::contacts)].high ==
           fstiff::detail::scatter_of_contacts(*reason.contacts).high);
 }
@@ -256,11 +256,10 @@ TEST_CASE("A map is the contact itself, or a piece of a larger one if nominal_ar
     const test::Folder folder;
     const std::string map = map_of(folder, 64), contact = "pressures = [\"100 MPa\"]\n";
     const Answered itself(text_of(map, contact)), piece(text_of(map, "nominal_area = \"1 mm^2\"\n" + contact));
-    CHECK(itself.results.answer->of_map_itself);
-    CHECK_FALSE(piece.results.answer->of_map_itself);
-    CHECK(contains(actions::outside_band(itself.of, itself.results),
-                   "other parts of the face (give contact.nominal_area)."));
-    CHECK_FALSE(contains(actions::outside_band(piece.of, piece.results), "nominal_area"));
+    CHECK(itself.results.answer.of_map_itself);
+    CHECK_FALSE(piece.results.answer.of_map_itself);
+    CHECK(contains(actions::outside_band(itself.results), "other parts of the face (give contact.nominal_area)."));
+    CHECK_FALSE(contains(actions::outside_band(piece.results), "nominal_area"));
     CHECK(itself.rows[0].at("causes").size() < piece.rows[0].at("causes").size());
     CHECK(piece.width(0) > itself.width(0));
 }
@@ -283,7 +282,7 @@ TEST_CASE("A profile across a lay widens the band upward, and the answer reports
         profile.heights[i] += x * x / 1600 * 1e-6;
     }
     const Answered turned = answered("turned.csv");
-    CHECK(has_lay(turned.of));
+    CHECK(has_lay(turned.of.joint));
     CHECK(turned.results.doubtful);
     CHECK(contains(turned.said(), "across a lay"));
     const double K = turned.K(0), low = turned.rows[0].at("stiffness_p05_Pa_per_m"),
@@ -295,7 +294,7 @@ TEST_CASE("A profile across a lay widens the band upward, and the answer reports
 
 TEST_CASE("The table of the answer has a row for each of its points, and fits the page") {
     const Answered answer(text_of(numbers, "nominal_area = \"1 mm^2\"\n" + wide, "hardness = \"1 GPa\"\n"));
-    const auto table = actions::answer_table(answer.of, answer.results);
+    const auto table = actions::answer_table(answer.results);
     REQUIRE(table.size() == 10);
     CHECK(table[0] == std::vector<std::string>{"pressure", "K/A0 [MPa/µm]", "90 % band", "K [N/µm]", "loading K/A0",
                                                "law    ", table[0].back()});
@@ -350,25 +349,24 @@ TEST_CASE("The measurement advised next narrows the band most, and by the printe
                       pressures = "pressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n";
     const Answered little(text_of("[surface]\nRa = \"0.8 um\"\n", pressures, metal)),
         more(text_of("[surface]\nRa = \"0.8 um\"\nSdq = 0.2\n", pressures, metal));
-    const std::string next = actions::measure_next(little.of, little.results),
-                      start = "measure Sdq or Rdq: the band at 10 MPa ";
+    const std::string next = actions::measure_next(little.results), start = "measure Sdq or Rdq: the band at 10 MPa ";
     INFO(next);
     REQUIRE(next.starts_with(start + "narrows from a factor of "));
     double from = 0, to = 0;
     REQUIRE(std::sscanf(next.c_str() + start.size(), "narrows from a factor of %lf to %lf", &from, &to) == 2);
     CHECK(test::relative_error(from, little.width(1)) < 0.05);
     CHECK(test::relative_error(to, more.width(1)) < 0.05);
-    CHECK(test::parsed(actions::run_document(little.of, little.results)).at("measure_next") == next);
-    CHECK(actions::measure_next(more.of, more.results).starts_with("measure skewness and kurtosis"));
+    CHECK(test::parsed(actions::run_document(little.results)).at("measure_next") == next);
+    CHECK(actions::measure_next(more.results).starts_with("measure skewness and kurtosis"));
     const Answered all(text_of(numbers + "skewness = 0\nkurtosis = 3\n", pressures, metal));
-    CHECK(actions::measure_next(all.of, all.results).empty());
-    CHECK_FALSE(test::parsed(actions::run_document(all.of, all.results)).contains("measure_next"));
+    CHECK(actions::measure_next(all.results).empty());
+    CHECK_FALSE(test::parsed(actions::run_document(all.results)).contains("measure_next"));
 }
 
 TEST_CASE("The band excludes a worn or honed face where the shape of the heights is not given") {
     const auto outside = [](const std::string& keys) {
         const Answered one(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, wide));
-        return actions::outside_band(one.of, one.results);
+        return actions::outside_band(one.results);
     };
     CHECK(contains(outside(""), "for a worn or honed face K may be several times higher (give process, or skewness"));
     for (const char* keys : {"process = \"honed\"\n", "skewness = 0\nkurtosis = 3\n"})
@@ -377,7 +375,7 @@ TEST_CASE("The band excludes a worn or honed face where the shape of the heights
 
 TEST_CASE("Without a measurement no band is described as sampled from errors") {
     const auto origin = [](const std::string& keys, const std::string& laws) {
-        return actions::origin_of_band(test::scene_of(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, laws + wide)));
+        return actions::origin_of_band(test::results_of(text_of("[surface]\nRa = \"0.8 um\"\n" + keys, laws + wide)));
     };
     const std::string hybrid = "laws = [\"hybrid\"]\n", error = "errors = { Ra = \"0.1 um\" }\n";
     CHECK(origin("", hybrid) == "unknown parameters of the surface");

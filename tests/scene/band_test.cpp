@@ -42,18 +42,18 @@ TEST_CASE("The band holds K at half and twice the root of two of lambda_s, and t
     document.erase("neighbours");
     folder.write("sampled.json", document.dump());
     const auto of_document = of("all.json\"\n"), sampled = of("sampled.json\"\n");
-    REQUIRE(whole.curves.size() >= 2);
-    for (std::size_t c = 0; c < whole.curves.size(); ++c)
+    REQUIRE(whole.curves().size() >= 2);
+    for (std::size_t c = 0; c < whole.curves().size(); ++c)
         for (std::size_t i = 0; i < 2; ++i) {
-            INFO(fstiff::actions::title(whole.curves[c]) << ", point " << i);
-            const auto stiffness = [&](const fstiff::actions::Results& one) {
-                return one.curves[c].states[i].stiffness.value;
+            INFO(fstiff::actions::title(whole.curves()[c]) << ", point " << i);
+            const auto stiffness = [&](const fstiff::actions::Answered& one) {
+                return one.curves()[c].points[i].state.stiffness.value;
             };
             const double K = stiffness(whole), a = stiffness(less), b = stiffness(more);
-            const auto &band = whole.curves[c].band[i], &errors = sampled.curves[c].band[i];
+            const auto &band = whole.curves()[c].points[i].stiffness, &errors = sampled.curves()[c].points[i].stiffness;
             CHECK(band.low < std::min(a, b));
             CHECK(band.high > std::max(a, b));
-            CHECK(std::abs(of_document.curves[c].band[i].low / band.low - 1) < 1e-12);
+            CHECK(std::abs(of_document.curves()[c].points[i].stiffness.low / band.low - 1) < 1e-12);
             const double up = std::log(std::max({a, b, K}) / K), down = std::log(std::min({a, b, K}) / K);
             CHECK(std::abs(std::log(band.high / K) - std::hypot(up, std::log(errors.high / K))) < 1e-9);
             CHECK(std::abs(std::log(band.low / K) + std::hypot(down, std::log(errors.low / K))) < 1e-9);
@@ -71,11 +71,11 @@ TEST_CASE("Keys written in a scene hold for every lambda_s") {
         "peak_radius = \"50 um\"\npeak_density = \"900 /mm^2\"\n" +
             rest,
         folder / "scene.toml");
-    const auto& curve = held.curves.back();  // it takes these three alone, and they have no errors
-    REQUIRE(curve.law->name == "greenwood_williamson");
+    const auto& curve = held.curves().back();  // it takes these three alone, and they have no errors
+    REQUIRE(fstiff::name_of(curve.law) == "greenwood_williamson");
     for (std::size_t i = 0; i < 2; ++i) {
-        CHECK(std::abs(curve.band[i].low / curve.states[i].stiffness.value - 1) < 1e-9);
-        CHECK(std::abs(curve.band[i].high / curve.states[i].stiffness.value - 1) < 1e-9);
+        CHECK(std::abs(curve.points[i].stiffness.low / curve.points[i].state.stiffness.value - 1) < 1e-9);
+        CHECK(std::abs(curve.points[i].stiffness.high / curve.points[i].state.stiffness.value - 1) < 1e-9);
     }
 }
 
@@ -89,19 +89,19 @@ TEST_CASE("The ends of a band at separations are K of surfaces that are so much 
     };
     // K of proportional is a constant over the rms height: its band has the heights at 5 and 95 % of those drawn
     const auto heights = of(1, "pressures = [\"1 MPa\"]\nlaws = [\"proportional\"]\n[uncertainty]\nsamples = 400\n");
-    const auto& band = heights.curves[0].band[0];
-    const double K = heights.curves[0].states[0].stiffness.value;
+    const auto& band = heights.curves()[0].points[0].stiffness;
+    const double K = heights.curves()[0].points[0].state.stiffness.value;
     const std::string laws = "separations = [\"1.5 um\", \"1 um\", \"0.5 um\"]\nlaws = [\"hybrid\", \"plastic\"]\n";
     const auto drawn = of(1, laws + "[uncertainty]\nsamples = 400\n"),
                low = of(K / band.high, laws + "[uncertainty]\nsamples = 0\n"),
                high = of(K / band.low, laws + "[uncertainty]\nsamples = 0\n");
-    REQUIRE(drawn.curves.size() == 2);
+    REQUIRE(drawn.curves().size() == 2);
     for (std::size_t c = 0; c < 2; ++c)
         for (std::size_t i = 0; i < 3; ++i) {
-            INFO(fstiff::actions::title(drawn.curves[c]) << ", point " << i);
-            const auto& ends = drawn.curves[c].band[i];  // K of drawn surfaces is right to 1.2e-3
-            CHECK(std::abs(ends.low / low.curves[c].states[i].stiffness.value - 1) < 1.2e-3);
-            CHECK(std::abs(ends.high / high.curves[c].states[i].stiffness.value - 1) < 1.2e-3);
+            INFO(fstiff::actions::title(drawn.curves()[c]) << ", point " << i);
+            const auto& ends = drawn.curves()[c].points[i].stiffness;  // K of drawn surfaces is right to 1.2e-3
+            CHECK(std::abs(ends.low / low.curves()[c].points[i].state.stiffness.value - 1) < 1.2e-3);
+            CHECK(std::abs(ends.high / high.curves()[c].points[i].state.stiffness.value - 1) < 1.2e-3);
         }
 }
 
@@ -126,23 +126,23 @@ TEST_CASE("The band of a height with an error holds K one error above and below 
             const std::string no_band = "[uncertainty]\nsamples = 0\n";
             const auto whole = of("0.8 um", "errors = { rms_height = \"0.4 um\" }\n", ""),
                        less = of("0.4 um", "", no_band), more = of("1.2 um", "", no_band);
-            REQUIRE(whole.curves.size() >= 9);
-            for (std::size_t c = 0; c < whole.curves.size(); ++c) {
-                CAPTURE(surface, hardness, fstiff::actions::title(whole.curves[c]));
+            REQUIRE(whole.curves().size() >= 9);
+            for (std::size_t c = 0; c < whole.curves().size(); ++c) {
+                CAPTURE(surface, hardness, fstiff::actions::title(whole.curves()[c]));
                 for (const auto* other : {&less, &more}) {
-                    const double K = other->curves[c].states[0].stiffness.value;
-                    CHECK(whole.curves[c].band[0].low < K);
-                    CHECK(whole.curves[c].band[0].high > K);
+                    const double K = other->curves()[c].points[0].state.stiffness.value;
+                    CHECK(whole.curves()[c].points[0].stiffness.low < K);
+                    CHECK(whole.curves()[c].points[0].stiffness.high > K);
                 }
             }
             // of the answer too, and its largest cause is then the measurement
-            const auto& answer = *whole.answer;
+            const auto& answer = whole.answer;
             for (const auto* other : {&less, &more}) {
-                CHECK(answer.curve.band[0].low < other->answer->curve.states[0].stiffness.value);
-                CHECK(answer.curve.band[0].high > other->answer->curve.states[0].stiffness.value);
+                CHECK(answer.points[0].stiffness.low < other->answer.points[0].state.stiffness.value);
+                CHECK(answer.points[0].stiffness.high > other->answer.points[0].state.stiffness.value);
             }
             if (surface.starts_with("rms_gradient"))
-                CHECK(fstiff::shares_of(answer.reasons[0].causes)[std::size_t(fstiff::Cause::measurement)] > 0.5);
+                CHECK(fstiff::shares_of(answer.points[0].causes)[std::size_t(fstiff::Cause::measurement)] > 0.5);
         }
 }
 

@@ -4,6 +4,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/library.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -15,106 +16,106 @@ namespace column_test {
 using namespace fstiff;
 
 TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
-    using enum fstiff::scene::CurveQuantity;
     struct Expected {
-        scene::CurveQuantity quantity;
-        std::string key, band_key, unit, heading;
+        std::string word, key, band_key, unit, heading;
     };
     const std::vector<Expected> all{
-        {force, "force_N", "force_p05_N", "N", "F [kN]"},
-        {pressure, "pressure_Pa", "pressure_p05_Pa", "Pa", "p [MPa]"},
-        {eta, "eta", "eta_p05", "", "eta"},
-        {separation, "separation_m", "separation_p05_m", "m", "separation [µm]"},
-        {approach, "approach_m", "approach_p05_m", "m", "approach [µm]"},
-        {stiffness, "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "Pa/m", "K/A0 [MPa/µm]"},
-        {joint_stiffness, "stiffness_N_per_m", "stiffness_p05_N_per_m", "N/m", "K [kN/µm]"},
-        {loading_stiffness, "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m", "-dp/dd [MPa/µm]"},
-        {tangential_stiffness, "tangential_stiffness_Pa_per_m", "tangential_stiffness_p05_Pa_per_m", "Pa/m",
+        {"force", "force_N", "force_p05_N", "N", "F [kN]"},
+        {"pressure", "pressure_Pa", "pressure_p05_Pa", "Pa", "p [MPa]"},
+        {"eta", "eta", "eta_p05", "", "eta"},
+        {"separation", "separation_m", "separation_p05_m", "m", "separation [µm]"},
+        {"approach", "approach_m", "approach_p05_m", "m", "approach [µm]"},
+        {"stiffness", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "Pa/m", "K/A0 [MPa/µm]"},
+        {"joint_stiffness", "stiffness_N_per_m", "stiffness_p05_N_per_m", "N/m", "K [kN/µm]"},
+        {"loading_stiffness", "loading_stiffness_Pa_per_m", "loading_stiffness_p05_Pa_per_m", "Pa/m",
+         "-dp/dd [MPa/µm]"},
+        {"tangential_stiffness", "tangential_stiffness_Pa_per_m", "tangential_stiffness_p05_Pa_per_m", "Pa/m",
          "Kt/A0 [MPa/µm]"},
-        {loss_factor, "loss_factor", "loss_factor_p05", "", "loss factor"},
-        {reflection, "reflection", "reflection_p05", "", "|R|"},
-        {shear_reflection, "shear_reflection", "shear_reflection_p05", "", "shear |R|"},
-        {thermal_conductance, "thermal_conductance_W_per_m2K", "thermal_conductance_p05_W_per_m2K", "W/(m^2 K)",
+        {"loss_factor", "loss_factor", "loss_factor_p05", "", "loss factor"},
+        {"reflection", "reflection", "reflection_p05", "", "|R|"},
+        {"shear_reflection", "shear_reflection", "shear_reflection_p05", "", "shear |R|"},
+        {"thermal_conductance", "thermal_conductance_W_per_m2K", "thermal_conductance_p05_W_per_m2K", "W/(m^2 K)",
          "h [W/(m² K)]"},
-        {thermal_conductance_gap, "thermal_conductance_gap_W_per_m2K", "thermal_conductance_gap_p05_W_per_m2K",
+        {"thermal_conductance_gap", "thermal_conductance_gap_W_per_m2K", "thermal_conductance_gap_p05_W_per_m2K",
          "W/(m^2 K)", "h of the gap [W/(m² K)]"},
-        {electrical_conductance, "electrical_conductance_S_per_m2", "electrical_conductance_p05_S_per_m2", "S/m^2",
+        {"electrical_conductance", "electrical_conductance_S_per_m2", "electrical_conductance_p05_S_per_m2", "S/m^2",
          "electrical h [S/m²]"},
-        {thermal_resistance, "thermal_resistance_K_per_W", "thermal_resistance_p05_K_per_W", "K/W",
+        {"thermal_resistance", "thermal_resistance_K_per_W", "thermal_resistance_p05_K_per_W", "K/W",
          "thermal resistance [K/W]"},
-        {electrical_resistance, "resistance_ohm", "resistance_p05_ohm", "ohm", "resistance [ohm]"},
-        {real_area, "real_area_fraction", "real_area_fraction_p05", "", "real area"},
-        {contacts, "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
-    REQUIRE(fstiff::scene::curve_quantities().size() == all.size());
+        {"resistance", "resistance_ohm", "resistance_p05_ohm", "ohm", "resistance [ohm]"},
+        {"real_area", "real_area_fraction", "real_area_fraction_p05", "", "real area"},
+        {"spot_pressure", "spot_pressure_Pa", "spot_pressure_p05_Pa", "Pa", "p of the spots [MPa]"},
+        {"contacts", "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
+    REQUIRE(answer_quantities().size() == all.size());
     const actions::Units units{.pressure = fstiff::document::unit_of_pressure(3e6),
                                .height = fstiff::document::unit_of_length(1e-6),
                                .density = fstiff::document::unit_of_density(5e8),
                                .stiffness = fstiff::document::shown_unit(5e14, "Pa/m"),
                                .force = fstiff::document::shown_unit(2e4, "N"),
                                .joint_stiffness = fstiff::document::shown_unit(5e10, "N/m")};
-    for (const Expected& one : all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Expected& one = all[i];
         INFO(one.key);
-        const scene::Column value{one.quantity}, low{one.quantity, scene::Statistic::p05};
-        CHECK(value.row().quantity == one.quantity);
-        CHECK(value.key() == one.key);
-        CHECK(low.key() == one.band_key);
-        CHECK(value.row().unit == one.unit);
-        CHECK(fstiff::actions::heading_of(value, units).shown == one.heading);
-        CHECK(fstiff::actions::heading_of(value, units).key == one.key);
+        const AnswerQuantity& quantity = answer_quantities()[i];
+        CHECK(quantity.word == one.word);
+        CHECK(quantity.key() == one.key);
+        CHECK(quantity.key("_p05") == one.band_key);
+        CHECK(quantity.unit == one.unit);
+        CHECK(actions::heading_of({&quantity}, units).shown == one.heading);
+        CHECK(actions::heading_of({&quantity}, units).key == one.key);
         const std::size_t bracket = one.heading.find(" [");
         const std::string unit = bracket == std::string::npos ? "" : one.heading.substr(bracket);
-        CHECK(fstiff::actions::heading_of(low, units).shown == "5 %" + unit);
+        CHECK(actions::heading_of({&quantity, "_p05"}, units).shown == "5 %" + unit);
     }
-    CHECK(fstiff::actions::heading_of({separation}, units).factor == 1e6);
-    CHECK(fstiff::actions::heading_of({stiffness, scene::Statistic::error}, units).shown == "numerical error [Pa/m]");
-    CHECK(fstiff::actions::heading_of({reflection, scene::Statistic::error}, units).shown.empty());
+    const auto heading = [&](const char* word, std::string_view part = "") {
+        return actions::heading_of({&detail::quantity_called(word), part}, units);
+    };
+    CHECK(heading("separation").factor == 1e6);
+    CHECK(heading("stiffness", "_error").shown == "numerical error [Pa/m]");
+    CHECK(heading("reflection", "_error").shown.empty());
 }
 
-TEST_CASE("The columns of a curve are its states, and the band of a reflection is that of K turned round") {
-    scene::Scene scene;
-    using enum fstiff::scene::CurveQuantity;
-    for (const auto quantity : {stiffness, reflection, tangential_stiffness, joint_stiffness, approach})
-        scene.ask(quantity);
-    scene.nominal_area = 2e-4;
-    scene.upper = scene.lower = {200e9, 0.25};
+TEST_CASE("The numbers of a point are its state, and the band of a reflection is that of K turned round") {
+    scene::Scene scene = test::scene_of(
+        "[surface]\nrms_height = \"1 um\"\npeak_radius = \"60 um\"\npeak_density = \"500 /mm^2\"\n"
+        "errors = { rms_height = \"0.1 um\" }\n"
+        "[material.upper]\nyoungs_modulus = \"200 GPa\"\npoisson_ratio = 0.25\n"
+        "[contact]\npressures = [\"1 MPa\"]\nnominal_area = \"2 cm^2\"\nlaws = [\"hertz\", \"proportional\"]\n"
+        "[ultrasound]\nfrequency = \"5 MHz\"\nupper = { impedance = \"46 MRayl\" }\n"
+        "[output]\nquantities = [\"stiffness\", \"reflection\", \"tangential_stiffness\", \"joint_stiffness\", "
+        "\"approach\"]\n");
     constexpr double ratio = 2 * (1 - 0.25) / (2 - 0.25);  // of two equal bodies, by Mindlin
-    scene.ultrasound = fstiff::Waves{.frequency = 5e6, .longitudinal = {46e6, 46e6}, .shear = {}};
-    actions::Curve curve;
-    curve.law = fstiff::detail::find_law("hertz");
-    fstiff::ContactState<double> state;
-    state.pressure.value = 1e6;
-    state.stiffness = {2e14, 1e5, 0};
-    curve.states = {state};
-    curve.places = {3};
-    state.separation.value = 2e-6;
-    curve.states = {state};
-    curve.separation_at_seating = {5e-6};
-    curve.band = {{.low = 1e14, .high = 4e14}};
-    curve.columns = fstiff::scene::columns_of(scene, curve, true);
-    const auto at = [&](scene::CurveQuantity quantity, scene::Statistic statistic = scene::Statistic::value) {
-        return curve.value_at(3, quantity, statistic).value();
+    const actions::Answered found = actions::compute(scene);
+    const AnswerCurve& curve = found.curves().front();
+    const AnswerPoint& point = curve.points.front();
+    const double K = point.state.stiffness.value, error = point.state.stiffness.error, low = point.stiffness.low,
+                 high = point.stiffness.high;
+    REQUIRE(low < 0.95 * K);
+    REQUIRE(high > 1.05 * K);
+    const auto at = [&](const char* word, std::string_view part = "") {
+        return test::value_at(curve, 0, word, part).value();
     };
-    CHECK(at(pressure) == 1e6);
-    CHECK(at(stiffness, scene::Statistic::p05) == 1e14);
-    CHECK(at(joint_stiffness) == 2e14 * 2e-4);
-    CHECK(at(joint_stiffness, scene::Statistic::p95) == 4e14 * 2e-4);
-    CHECK(at(joint_stiffness, scene::Statistic::error) == 1e5 * 2e-4);
-    CHECK(at(approach) == 5e-6 - 2e-6);
-    CHECK(!curve.value_at(3, approach, scene::Statistic::p05));
-    CHECK(!curve.value_at(3, force));
-    CHECK(test::relative_error(at(tangential_stiffness, scene::Statistic::p95), ratio * 4e14) < 1e-15);
-    CHECK(test::relative_error(at(tangential_stiffness, scene::Statistic::error), ratio * 1e5) < 1e-15);
+    CHECK(test::relative_error(at("pressure"), 1e6) < 1e-12);
+    CHECK(at("stiffness") == K);
+    CHECK(at("stiffness", "_p05") == low);
+    CHECK(at("joint_stiffness") == K * 2e-4);
+    CHECK(at("joint_stiffness", "_p95") == high * 2e-4);
+    CHECK(at("joint_stiffness", "_error") == error * 2e-4);
+    CHECK(at("approach") > 0);
+    CHECK(!test::value_at(curve, 0, "approach", "_p05"));
+    CHECK(!test::value_at(curve, 0, "force"));
+    CHECK(test::relative_error(at("tangential_stiffness", "_p95"), ratio * high) < 1e-15);
+    CHECK(test::relative_error(at("tangential_stiffness", "_error"), ratio * error) < 1e-15);
     const auto reflected = [](double k) { return 1 / std::hypot(1, 2 * k / (2 * std::acos(-1.0) * 5e6 * 46e6)); };
-    CHECK(test::relative_error(at(reflection), reflected(2e14)) < 1e-14);
-    CHECK(test::relative_error(at(reflection, scene::Statistic::p05), reflected(4e14)) < 1e-14);
-    CHECK(test::relative_error(at(reflection, scene::Statistic::p95), reflected(1e14)) < 1e-14);
-    CHECK(!curve.value_at(2, pressure));
-    CHECK(!curve.value_at(3, separation));
-    CHECK(fstiff::scene::columns_of(scene, curve, false).size() == curve.columns.size() - 8);
-    curve.separation_at_seating.clear();  // out of the law's reach: the column is there, without values
-    CHECK(fstiff::scene::columns_of(scene, curve, true).size() == curve.columns.size());
-    curve.band.clear();  // of a law that does not vary: the same columns, without values
-    CHECK(fstiff::scene::columns_of(scene, curve, true).size() == curve.columns.size());
+    CHECK(test::relative_error(at("reflection"), reflected(K)) < 1e-14);
+    CHECK(test::relative_error(at("reflection", "_p05"), reflected(high)) < 1e-14);
+    CHECK(test::relative_error(at("reflection", "_p95"), reflected(low)) < 1e-14);
+    CHECK(!test::value_at(curve, 1, "pressure"));
+    CHECK(!test::value_at(curve, 0, "separation"));
+    CHECK(scene.columns(false).size() == scene.columns(true).size() - 8);
+    // both laws have the same columns
+    const auto rows = actions::point_rows(scene, found.curves()[1], true);
+    CHECK(rows.columns().size() == actions::point_rows(scene, curve, true).columns().size());
 }
 
 TEST_CASE("A line of CSV is as RFC 4180 has it") {

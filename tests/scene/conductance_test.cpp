@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Heat and current through a contact: k K/E of every law, the gap in parallel, and refusals.
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "actions/run.hpp"
 
 #include "support/accuracy.hpp"
@@ -20,14 +20,12 @@ namespace {
 
 using namespace fstiff;
 using test::results_of;
-using enum scene::CurveQuantity;
 
 const std::string surface = "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 5\n",
                   contact = "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n";
 
-double at(const actions::Results& found, scene::CurveQuantity quantity,
-          scene::Statistic statistic = scene::Statistic::value) {
-    const auto value = found.curves.front().value_at(1, quantity, statistic);
+double at(const actions::Answered& found, std::string_view quantity, std::string_view statistic = "") {
+    const auto value = test::value_at(found.curves().front(), 1, quantity, statistic);
     REQUIRE(value);
     return *value;
 }
@@ -43,11 +41,11 @@ TEST_CASE("The spots conduct k K/E of every law, with the band of K") {
     for (const char* laws : {"", "laws = [\"hertz\"]\n", "laws = [\"persson\"]\n"}) {
         const auto found = results_of(surface + bodies + contact + laws);
         const double k = 2 * 40 * 237.0 / (40 + 237), s = 2 * 7e6 * 37.7e6 / (7e6 + 37.7e6);
-        for (const auto statistic : {scene::Statistic::value, scene::Statistic::p05, scene::Statistic::p95}) {
-            if (found.curves.front().band.empty() && statistic != scene::Statistic::value) continue;
-            const double K = at(found, stiffness, statistic) / found.modulus;
-            CHECK(test::relative_error(at(found, thermal_conductance, statistic), k * K) < 1e-14);
-            CHECK(test::relative_error(at(found, electrical_conductance, statistic), s * K) < 1e-14);
+        for (const std::string_view statistic : {"", "_p05", "_p95"}) {
+            if (!found.curves().front().has_band && !statistic.empty()) continue;
+            const double K = at(found, "stiffness", statistic) / found.answer.effective_modulus;
+            CHECK(test::relative_error(at(found, "thermal_conductance", statistic), k * K) < 1e-14);
+            CHECK(test::relative_error(at(found, "electrical_conductance", statistic), s * K) < 1e-14);
         }
     }
 }
@@ -57,16 +55,16 @@ TEST_CASE("The gap and radiation are in parallel with the spots, and films in se
     const auto bare = results_of(steel + surface + contact + laws +
                                  "[output]\nquantities = [\"thermal_conductance\", \"separation\", \"real_area\"]\n");
     const auto air = results_of(steel + surface + contact + laws + "[gap]\nmedium = \"air\"\n");
-    CHECK(at(air, thermal_conductance) == at(bare, thermal_conductance));
-    const double h = 0.0257 / at(air, thermal_conductance_gap) - at(bare, separation);
+    CHECK(at(air, "thermal_conductance") == at(bare, "thermal_conductance"));
+    const double h = 0.0257 / at(air, "thermal_conductance_gap") - at(bare, "separation");
     CHECK(h > 0.25e-6);  // the jump of the temperature
     CHECK(h < 0.45e-6);
     const auto film = results_of(steel + surface + contact + laws +
                                  "[gap]\nconductivity = \"0.8 W/(m K)\"\nemissivity = 1\n"
                                  "temperature = \"300 K\"\nthermal_film = \"1 mm^2 K/W\"\n");
-    CHECK(test::relative_error(at(film, thermal_conductance_gap), 0.8 / at(bare, separation) + 6.1240) < 1e-5);
-    CHECK(test::relative_error(1 / at(film, thermal_conductance),
-                               1 / at(bare, thermal_conductance) + 1e-6 / at(bare, real_area)) < 1e-12);
+    CHECK(test::relative_error(at(film, "thermal_conductance_gap"), 0.8 / at(bare, "separation") + 6.1240) < 1e-5);
+    CHECK(test::relative_error(1 / at(film, "thermal_conductance"),
+                               1 / at(bare, "thermal_conductance") + 1e-6 / at(bare, "real_area")) < 1e-12);
 }
 
 TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not, a vacuum leaves radiation") {
@@ -74,16 +72,17 @@ TEST_CASE("A gap is filled by name: a gas jumps at its faces, a liquid does not,
     const auto filled = [&](const std::string& gap) {
         return results_of(steel + surface + contact + laws + "[gap]\n" + gap);
     };
-    const double d = at(filled("medium = \"air\"\n"), separation);
-    CHECK(test::relative_error(at(filled("medium = \"water\"\n"), thermal_conductance_gap), 0.598 / d) < 1e-14);
-    CHECK(at(filled("medium = \"vacuum\"\n"), thermal_conductance_gap) == 0);
+    const double d = at(filled("medium = \"air\"\n"), "separation");
+    CHECK(test::relative_error(at(filled("medium = \"water\"\n"), "thermal_conductance_gap"), 0.598 / d) < 1e-14);
+    CHECK(at(filled("medium = \"vacuum\"\n"), "thermal_conductance_gap") == 0);
     const auto bright = filled("medium = \"vacuum\"\nemissivity = 1\ntemperature = \"300 K\"\n");
-    CHECK(test::relative_error(at(bright, thermal_conductance_gap), 6.1240) < 1e-5);
+    CHECK(test::relative_error(at(bright, "thermal_conductance_gap"), 6.1240) < 1e-5);
     // M of helium by hand: 2 (2 - a)/a 2 g/(g + 1)/Pr L, g = 5/3
     for (const auto& [written, a] : {std::pair{"", 0.4}, {"accommodation = 0.9\n", 0.9}}) {
         const double jump = 2 * (2 - a) / a * 1.25 / 0.67 * 194e-9;
-        CHECK(test::relative_error(at(filled(std::string("medium = \"helium\"\n") + written), thermal_conductance_gap),
-                                   0.154 / (d + jump)) < 1e-12);
+        CHECK(
+            test::relative_error(at(filled(std::string("medium = \"helium\"\n") + written), "thermal_conductance_gap"),
+                                 0.154 / (d + jump)) < 1e-12);
     }
 }
 
@@ -96,7 +95,7 @@ TEST_CASE("Plastic peaks conduct as by Cooper, Mikic and Yovanovich, less the in
                                       "[contact]\nlaws = [\"plastic\"]\npressures = [\"1 Pa\", \"" +
                                       std::to_string(share * 0.5e9) + " Pa\"]\n[gap]\nmedium = \"air\"\n");
         const double spots = 1.25 * 53.3 * 0.1 / std::sqrt(std::numbers::pi) / 0.8e-6 * std::pow(share, 0.95);
-        const double ratio = at(found, thermal_conductance) / spots;
+        const double ratio = at(found, "thermal_conductance") / spots;
         INFO(share << ": " << ratio);
         CHECK(ratio > 0.7);
         CHECK(ratio < 1.0);
@@ -123,15 +122,14 @@ TEST_CASE("Resistances are one over the conductance of the nominal area, with it
         "[material.upper]\nname = \"steel\"\nthermal_conductivity = \"40 W/(m K)\"\n"
         "electrical_conductivity = \"7 MS/m\"\n[material.lower]\nname = \"aluminium\"\n";
     const auto joint = results_of(surface + bodies + contact + "nominal_area = \"2 cm^2\"\n[gap]\nmedium = \"air\"\n");
-    const double area = 2e-4, gap = at(joint, thermal_conductance_gap);
-    using enum scene::Statistic;
-    for (const auto& [end, other] : {std::pair(value, value), std::pair(p05, p95), std::pair(p95, p05)}) {
-        CHECK(test::relative_error(at(joint, electrical_resistance, end) * area,
-                                   1 / at(joint, electrical_conductance, other)) < 1e-14);
-        CHECK(test::relative_error(at(joint, thermal_resistance, end) * area,
-                                   1 / (at(joint, thermal_conductance, other) + gap)) < 1e-14);
+    const double area = 2e-4, gap = at(joint, "thermal_conductance_gap");
+    for (const auto& [end, other] : {std::pair("", ""), std::pair("_p05", "_p95"), std::pair("_p95", "_p05")}) {
+        CHECK(test::relative_error(at(joint, "resistance", end) * area,
+                                   1 / at(joint, "electrical_conductance", other)) < 1e-14);
+        CHECK(test::relative_error(at(joint, "thermal_resistance", end) * area,
+                                   1 / (at(joint, "thermal_conductance", other) + gap)) < 1e-14);
     }
-    CHECK(joint.curves.front().value_at(1, electrical_resistance, error));
+    CHECK(test::value_at(joint.curves().front(), 1, "resistance", "_error"));
     const auto asked = [&](const std::string& quantity, const std::string& more) {
         return refusal("material.upper = \"steel\"\n" + surface + contact + more + "[output]\nquantities = [\"" +
                        quantity + "\"]\n");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The band of K of one trace, against K of the mean spectrum of 100 traces of one process and its D.
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "surface/measured_surface.hpp"
 
 #include "cli/command.hpp"
@@ -75,7 +74,7 @@ TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of trace
         std::array<int, 2> covered{};
         int computed = 0;
         for (const std::string& file : files) {
-            actions::Results found;
+            actions::Answered found;
             try {
                 found = actions::compute(scene::read_scene("[surface]\nfrom = \"" + file +
                                                                "\"\nunits = \"m\"\nlambda_s = \"40 um\"\nlambda_c = "
@@ -87,8 +86,8 @@ TEST_CASE("The band of 5 to 95 % holds K(10 MPa) of the process in 80 % of trace
             }
             ++computed;
             for (const std::size_t law : {0u, 1u}) {
-                const auto& band = found.curves.at(law).band.at(0);
-                const double K = truth.curves.at(law).states.at(0).stiffness.value;
+                const auto& band = found.curves()[law].points.at(0).stiffness;
+                const double K = truth.curves()[law].points.at(0).state.stiffness.value;
                 covered[law] += band.low <= K && K <= band.high;
             }
         }

@@ -54,10 +54,10 @@ std::string scene_of(const std::string& file, const std::string& more) {
 
 struct Run {
     scene::Scene of;
-    actions::Results results;
+    actions::Answered results;
     explicit Run(const std::string& text) : of(test::scene_of(text)), results(actions::compute(of)) {}
-    [[nodiscard]] double sigma() const { return of.face.parameters.rms_height.value; }
-    [[nodiscard]] double K() const { return results.answer->curve.states.front().stiffness.value; }
+    [[nodiscard]] double sigma() const { return of.joint.face.parameters.rms_height.value; }
+    [[nodiscard]] double K() const { return results.answer.points.front().state.stiffness.value; }
     [[nodiscard]] std::string said() const { return test::joined(results.warnings); }
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene from little: height and gradient by other names, the process, and what is taken for the rest. Truth: the same
 // numbers written out, K by the library, and surfaces drawn at random.
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "scene/scene.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/library.hpp"
 
+#include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/lacks.hpp>
 #include <fstiff/answer/unknowns.hpp>
@@ -40,13 +40,24 @@ std::string text_of(const std::string& surface, const std::string& laws = "\"hyb
 scene::Scene read(const std::string& surface, const std::string& laws = "\"hybrid\"") {
     return scene::read_scene(text_of(surface, laws), {.name = "s.toml"});
 }
-actions::Results results(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+actions::Answered results(const std::string& surface, const std::string& laws = "\"hybrid\"") {
     return actions::compute(read(surface, laws));
+}
+
+/// The curve of the first law with the parts of its band.
+detail::LawCurve curve_of(const std::string& surface, const std::string& laws = "\"hybrid\"") {
+    const scene::Scene scene = read(surface, laws);
+    return curves_of(scene.joint, detail::Request{.points = scene.points,
+                                                  .laws = scene.laws,
+                                                  .samples = scene.samples,
+                                                  .seed = scene.seed,
+                                                  .answers = false})
+        .named.front();
 }
 std::vector<double> stiffnesses(const std::string& surface, const std::string& laws = "\"hybrid\"") {
     std::vector<double> all;
-    for (const auto& curve : results(surface, laws).curves)
-        for (const auto& state : curve.states) all.push_back(state.stiffness.value);
+    for (const auto& curve : results(surface, laws).curves())
+        for (const auto& state : test::states_of(curve)) all.push_back(state.stiffness.value);
     return all;
 }
 std::string refusal(const std::string& surface) { return test::refused_scene(text_of(surface), "s.toml"); }
@@ -65,17 +76,17 @@ TEST_CASE("Every name of height and gradient gives its number") {
             for (std::size_t i = 0; i < 3; ++i) CHECK(test::relative_error(found[i], written[i]) < 1e-13);
         }
     // Ra/Rq is 0.8, and RSm counts crossings
-    const auto face = read("Ra = \"0.64 um\"\nRSm = \"40 um\"" + rest).face;
+    const auto face = read("Ra = \"0.64 um\"\nRSm = \"40 um\"" + rest).joint.face;
     CHECK(test::relative_error(face.parameters.rms_height.value, 0.8e-6) < 1e-15);
     CHECK(test::relative_error(*face.rms_gradient, std::sqrt(2.0) * 2.3 * 2 * std::numbers::pi_v<double> * 0.8 / 40) <
           1e-14);
-    CHECK(read("Ra = \"0.64 um\"\nprocess = \"turned\"").face.parameters.rms_height.value == 0.64e-6 / 0.84);
+    CHECK(read("Ra = \"0.64 um\"\nprocess = \"turned\"").joint.face.parameters.rms_height.value == 0.64e-6 / 0.84);
     // across a lay a profile is between the gradient and its sqrt(2)th part
-    const detail::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").face;
+    const detail::Face ground = read("Rq = \"1 um\"\nRdq = 0.1\nprocess = \"ground\"").joint.face;
     CHECK(test::relative_error(*ground.rms_gradient, 0.1 * std::pow(2, 0.25)) < 1e-14);
     REQUIRE(ground.is_open(Unknown::gradient));
     CHECK(test::relative_error(ground.priors.front().high, 0.1 * std::sqrt(2.0)) < 1e-14);
-    CHECK_FALSE(read("Rq = \"1 um\"\nRdq = 0.1").face.is_open(Unknown::gradient));
+    CHECK_FALSE(read("Rq = \"1 um\"\nRdq = 0.1").joint.face.is_open(Unknown::gradient));
 }
 
 TEST_CASE("Height alone, and height with gradient, have K with a band by every law that needs no more") {
@@ -86,17 +97,17 @@ TEST_CASE("Height alone, and height with gradient, have K with a band by every l
           "Ra = \"0.8 um\"\nprocess = \"honed\""}) {
         const auto found = results(surface, "\"hybrid\", \"plastic\", \"hertz\", \"persson\", \"proportional\"");
         INFO(surface);
-        REQUIRE(found.curves.size() == 5);
-        for (const actions::Curve& curve : found.curves)
-            for (std::size_t i = 0; i < curve.states.size(); ++i) {
-                const double K = curve.states[i].stiffness.value;
+        REQUIRE(found.curves().size() == 5);
+        for (const AnswerCurve& curve : found.curves())
+            for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                const double K = curve.points[i].state.stiffness.value;
                 CHECK(K > 0);
-                if (!curve.band.empty()) CHECK((curve.band[i].low <= K && K <= curve.band[i].high));
+                if (curve.has_band) CHECK((curve.points[i].stiffness.low <= K && K <= curve.points[i].stiffness.high));
             }
-        const auto& hybrid = found.curves.front();
-        REQUIRE(hybrid.band.size() == 3);
-        CHECK(hybrid.band[2].high / hybrid.band[2].low > 1.3);
-        CHECK(hybrid.band[2].high / hybrid.band[2].low < 20);
+        const auto& hybrid = found.curves().front();
+        REQUIRE(hybrid.points.size() == 3);
+        CHECK(hybrid.points[2].stiffness.high / hybrid.points[2].stiffness.low > 1.3);
+        CHECK(hybrid.points[2].stiffness.high / hybrid.points[2].stiffness.low < 20);
     }
 }
 
@@ -130,7 +141,7 @@ TEST_CASE("Assumptions are printed and recorded") {
         "rms_height = \"1 um\"\nrms_gradient = 0.2\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3";
     CHECK(read(all).assumptions.empty());
     CHECK(stiffnesses(all) == stiffnesses("Ra = \"0.8 um\""));
-    CHECK(results(all).curves.front().band.empty());
+    CHECK_FALSE(results(all).curves().front().has_band);
     // laws that do not take it do not assume it
     CHECK(read("rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nr = 0.5\ntheta = 0.7",
                "\"hertz\"")
@@ -158,29 +169,30 @@ TEST_CASE("Contradictions and extremes are refused by one sentence") {
 
 TEST_CASE("Errors of other names are those of the numbers they make") {
     const scene::Scene one = read("Ra = \"0.8 um\"\nRdq = 0.1\nerrors = { Ra = \"0.08 um\", Rdq = 0.01 }");
-    CHECK(test::relative_error(one.face.parameters.rms_height.error, 0.1e-6) < 1e-14);
-    CHECK(test::relative_error(one.face.gradient_error, 0.01 * std::sqrt(2.0)) < 1e-14);
+    CHECK(test::relative_error(one.joint.face.parameters.rms_height.error, 0.1e-6) < 1e-14);
+    CHECK(test::relative_error(one.joint.face.gradient_error, 0.01 * std::sqrt(2.0)) < 1e-14);
 }
 
 TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for those of islands") {
     const scene::Scene paper = scene::read_scene(scene::builtin_scene, {.name = "built-in"});
-    REQUIRE(paper.face.rms_gradient);
-    CHECK(*paper.face.rms_gradient > 0.14);  // maps with its sigma and D_p have 0.124, with its sigma and R 0.175
-    CHECK(*paper.face.rms_gradient < 0.165);
-    CHECK(lack_of_spectrum(paper.face) == detail::Lack::nothing);
+    REQUIRE(paper.joint.face.rms_gradient);
+    CHECK(*paper.joint.face.rms_gradient > 0.14);  // maps with its sigma and D_p have 0.124, with its sigma and R 0.175
+    CHECK(*paper.joint.face.rms_gradient < 0.165);
+    CHECK(lack_of_spectrum(paper.joint.face) == detail::Lack::nothing);
     const std::string numbers = "rms_height = \"0.832 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"";
-    const auto plastic = results(numbers + "\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
-    CHECK(test::relative_error(plastic.states[1].stiffness.value, 0.14e15) < 0.12);  // boundary elements: 0.11 to 0.18
-    CHECK(test::relative_error(plastic.band[1].low, 0.11e15) < 0.12);
-    CHECK(test::relative_error(plastic.band[1].high, 0.18e15) < 0.12);
+    const auto plastic = results(numbers + "\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves().front();
+    CHECK(test::relative_error(plastic.points[1].state.stiffness.value, 0.14e15) <
+          0.12);  // boundary elements: 0.11 to 0.18
+    CHECK(test::relative_error(plastic.points[1].stiffness.low, 0.11e15) < 0.12);
+    CHECK(test::relative_error(plastic.points[1].stiffness.high, 0.18e15) < 0.12);
     // the answer has the error of the law of numbers too, not that of a height alone
-    const auto answer = actions::compute(paper).answer.value().curve;
-    for (std::size_t i = 0; i < answer.states.size(); ++i) {
-        if (test::relative_error(answer.states[i].pressure.value, 10e6) > 1e-6) continue;
-        CHECK(answer.band[i].low < 0.11e15);  // of a shape that is not known, too
-        CHECK(test::relative_error(answer.states[i].stiffness.value, 0.14e15) < 0.12);
-        CHECK(answer.band[i].high > 0.18e15);
-        CHECK(answer.band[i].high < 4 * answer.band[i].low);
+    const auto answer = actions::compute(paper).answer;
+    for (std::size_t i = 0; i < answer.points.size(); ++i) {
+        if (test::relative_error(answer.points[i].state.pressure.value, 10e6) > 1e-6) continue;
+        CHECK(answer.points[i].stiffness.low < 0.11e15);  // of a shape that is not known, too
+        CHECK(test::relative_error(answer.points[i].state.stiffness.value, 0.14e15) < 0.12);
+        CHECK(answer.points[i].stiffness.high > 0.18e15);
+        CHECK(answer.points[i].stiffness.high < 4 * answer.points[i].stiffness.low);
     }
 }
 
@@ -192,19 +204,19 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
     std::uint64_t state = 7;
     for (int i = 0; i < 700; ++i) {
         scene::Scene one = scene;
-        for (const detail::Prior& prior : scene.face.priors) {
+        for (const detail::Prior& prior : scene.joint.face.priors) {
             if (detail::is_of_shape(prior.which) || prior.which == Unknown::hurst) continue;
-            const double middle = prior.which == Unknown::height     ? scene.face.parameters.rms_height.value
-                                  : prior.which == Unknown::gradient ? *scene.face.rms_gradient
-                                                                     : *scene.face.alpha;
+            const double middle = prior.which == Unknown::height     ? scene.joint.face.parameters.rms_height.value
+                                  : prior.which == Unknown::gradient ? *scene.joint.face.rms_gradient
+                                                                     : *scene.joint.face.alpha;
             const double z = math::normal_pair<double>(state).real() / 1.6449;
             const double value = middle * std::pow((z < 0 ? prior.low : prior.high) / middle, std::abs(z));
-            one.face = detail::with_value(one.face, prior.which, std::max(value, 1.55e-7));
+            one.joint.face = detail::with_value(one.joint.face, prior.which, std::max(value, 1.55e-7));
         }
-        if (*one.face.alpha < 1.55) one.face = detail::with_value(one.face, Unknown::alpha, 1.55);
+        if (*one.joint.face.alpha < 1.55) one.joint.face = detail::with_value(one.joint.face, Unknown::alpha, 1.55);
         const auto results = actions::compute(one);
         for (std::size_t point = 0; point < all.size(); ++point)
-            all[point].push_back(results.curves.front().states[point].stiffness.value);
+            all[point].push_back(results.curves().front().points[point].state.stiffness.value);
     }
     std::vector<std::pair<double, double>> ends;
     for (std::vector<double>& of_point : all) {
@@ -217,17 +229,17 @@ std::vector<std::pair<double, double>> drawn(scene::Scene scene) {
 TEST_CASE("The band over what is not known is that of surfaces drawn at random", "[more]") {
     scene::Scene little = read("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3\nhurst = 0.8", "\"plastic\"");
     little.points = {little.points.front(), little.points.back()};
-    const auto found = actions::compute(little).curves.front();
+    const auto found = actions::compute(little).curves().front();
     const auto ends = drawn(little);
     for (std::size_t point = 0; point < ends.size(); ++point) {
         const auto [low, high] = ends[point];
-        CHECK(std::abs(std::log(found.band[point].low / low)) < 0.1 * std::log(high / low));
-        CHECK(std::abs(std::log(found.band[point].high / high)) < 0.1 * std::log(high / low));
+        CHECK(std::abs(std::log(found.points[point].stiffness.low / low)) < 0.1 * std::log(high / low));
+        CHECK(std::abs(std::log(found.points[point].stiffness.high / high)) < 0.1 * std::log(high / low));
     }
 }
 
 TEST_CASE("The parts of a band are those of what is not known") {
-    const auto plastic = results("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
+    const auto plastic = curve_of("Ra = \"0.8 um\"\nskewness = 0\nkurtosis = 3", "\"plastic\"");
     REQUIRE(plastic.band_parts.size() == 3);
     const auto& parts = plastic.band_parts[1];
     CHECK(parts.errors_low == 0);
@@ -237,8 +249,7 @@ TEST_CASE("The parts of a band are those of what is not known") {
     CHECK(test::relative_error(plastic.band[1].high, K * std::exp(parts.prior_high)) < 1e-12);
     CHECK(test::relative_error(plastic.band[1].low, K * std::exp(parts.prior_low)) < 1e-12);
     // once the gradient is known its part is gone, and the others are what they were
-    const auto measured =
-        results("Ra = \"0.8 um\"\nRdq = 0.1414\nskewness = 0\nkurtosis = 3", "\"plastic\"").curves.front();
+    const auto measured = curve_of("Ra = \"0.8 um\"\nRdq = 0.1414\nskewness = 0\nkurtosis = 3", "\"plastic\"");
     const auto& gradient = parts.part_of(Unknown::gradient);
     const double low = std::hypot(measured.band_parts[1].prior_low, gradient.low),
                  high = std::hypot(measured.band_parts[1].prior_high, gradient.high);
@@ -246,8 +257,8 @@ TEST_CASE("The parts of a band are those of what is not known") {
 }
 
 TEST_CASE("The shape of the heights widens the band of a law that takes it") {
-    const auto known = results("rms_height = \"1 um\"\nrms_gradient = 0.2\nskewness = 0\nkurtosis = 3").curves.front();
-    const auto open = results("rms_height = \"1 um\"\nrms_gradient = 0.2").curves.front();
+    const auto known = curve_of("rms_height = \"1 um\"\nrms_gradient = 0.2\nskewness = 0\nkurtosis = 3");
+    const auto open = curve_of("rms_height = \"1 um\"\nrms_gradient = 0.2");
     CHECK(open.band_parts[1].shape_low < -0.1);
     CHECK(open.band_parts[1].shape_high > 0.1);
     CHECK(open.band_parts[1].prior_high == known.band_parts[1].prior_high);
@@ -256,10 +267,12 @@ TEST_CASE("The shape of the heights widens the band of a law that takes it") {
 
 TEST_CASE("Of two faces of which little is known each widens the band") {
     const std::string face = "Ra = \"0.8 um\"";
-    const auto two = results("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).curves.front();
-    const auto one = results(face).curves.front();
-    REQUIRE(two.band.size() == 3);
-    const auto width = [](const actions::Curve& curve) { return std::log(curve.band[1].high / curve.band[1].low); };
+    const auto two = results("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).curves().front();
+    const auto one = results(face).curves().front();
+    REQUIRE(two.points.size() == 3);
+    const auto width = [](const AnswerCurve& curve) {
+        return std::log(curve.points[1].stiffness.high / curve.points[1].stiffness.low);
+    };
     CHECK(width(two) < width(one));  // independent faces average
     CHECK(width(two) > width(one) / 3);
     CHECK(read("[surface.upper]\n" + face + "\n[surface.lower]\n" + face).assumptions.front() ==
@@ -267,12 +280,13 @@ TEST_CASE("Of two faces of which little is known each widens the band") {
 }
 
 TEST_CASE("The law of the height alone is p over 0.48 sigma") {
-    const auto curve = results("Rq = \"0.8 um\"", "\"proportional\"").curves.front();
-    CHECK(curve.band.empty());  // the height is known; the error of the law is another matter
-    for (const auto& state : curve.states)
+    const auto curve = results("Rq = \"0.8 um\"", "\"proportional\"").curves().front();
+    CHECK_FALSE(curve.has_band);  // the height is known; the error of the law is another matter
+    for (const auto& state : test::states_of(curve))
         CHECK(state.stiffness.value == detail::linear_stiffness(state.pressure.value, 0.8e-6));
-    const auto of_mean = results("Ra = \"0.64 um\"", "\"proportional\"").curves.front();
-    CHECK(test::relative_error(of_mean.band[0].high / of_mean.states[0].stiffness.value, 0.86 / 0.8) < 1e-12);
+    const auto of_mean = results("Ra = \"0.64 um\"", "\"proportional\"").curves().front();
+    CHECK(test::relative_error(of_mean.points[0].stiffness.high / of_mean.points[0].state.stiffness.value, 0.86 / 0.8) <
+          1e-12);
     std::string text = text_of("Rq = \"0.8 um\"", "\"proportional\"");
     text.replace(text.find("pressures"), 9, "separations");
     for (const char* unit : {"MPa", "MPa", "MPa"}) text.replace(text.find(unit, text.find("[contact]")), 3, "nm");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hardness that is not given is a number that is not known; K of a map is that of all its waves. Truth: the answers
 // for hardnesses that are given; boundary elements of the map itself.
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/explanation.hpp"
 
 #include "support/library.hpp"
@@ -35,11 +35,11 @@ std::string with(const std::string& name, const std::string& hardness) {
 struct Point {
     double low, value, high;
 };
-std::vector<Point> points_of(const actions::Results& results) {
+std::vector<Point> points_of(const actions::Answered& results) {
     std::vector<Point> all;
-    for (std::size_t i = 0; i < results.answer->curve.states.size(); ++i) {
-        const auto& band = results.answer->curve.band[i];
-        all.push_back({band.low, results.answer->curve.states[i].stiffness.value, band.high});
+    for (std::size_t i = 0; i < results.answer.points.size(); ++i) {
+        const auto& band = results.answer.points[i].stiffness;
+        all.push_back({band.low, results.answer.points[i].state.stiffness.value, band.high});
     }
     return all;
 }
@@ -64,14 +64,14 @@ TEST_CASE("K of a steel whose hardness is not given has a band that holds K of e
 
 TEST_CASE("A hardness that is not given is a cause of the band, an assumption, and what to measure next") {
     const scene::Scene of = test::scene_of(on("\"steel\""));
-    const actions::Results results = actions::compute(of);
-    const auto& causes = results.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)];
+    const actions::Answered results = actions::compute(of);
+    const auto& causes = results.answer.points[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)];
     CHECK(causes.low < -0.3);
     CHECK(causes.high > 0.3);
     CHECK(contains(test::joined(of.assumptions), "hardness 2.6 GPa (1.2 GPa to 9.5 GPa), of steel"));
-    CHECK(contains(actions::measure_next(of, results), "measure the hardness of the softer body"));
-    const actions::Results named = test::results_of(on(with("steel", "2 GPa")));
-    CHECK(named.answer->reasons[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)].high == 0);
+    CHECK(contains(actions::measure_next(results), "measure the hardness of the softer body"));
+    const actions::Answered named = test::results_of(on(with("steel", "2 GPa")));
+    CHECK(named.answer.points[1].causes[static_cast<std::size_t>(fstiff::Cause::hardness)].high == 0);
 }
 
 TEST_CASE("The softer body flows, whichever of them has a hardness") {
@@ -84,16 +84,16 @@ TEST_CASE("The softer body flows, whichever of them has a hardness") {
     const auto hard = test::scene_of(on(with("steel", "8 GPa"), "\"copper\"")),
                soft = test::scene_of(on(with("steel", "0.2 GPa"), "\"copper\""));
     const auto copper = fstiff::find_material("copper")->hardness();
-    CHECK(hard.hardness_range->middle == copper.middle);
-    CHECK(hard.hardness_range->high == copper.high);
-    CHECK_FALSE(soft.hardness_range.has_value());
-    CHECK(*soft.hardness == 0.2e9);
+    CHECK(hard.joint.hardness_range->middle == copper.middle);
+    CHECK(hard.joint.hardness_range->high == copper.high);
+    CHECK_FALSE(soft.joint.hardness_range.has_value());
+    CHECK(*soft.joint.hardness == 0.2e9);
 }
 
 TEST_CASE("Hardness is read in the units of hardness") {
     const double vickers = 9.80665e6 / std::sin(68 * std::acos(-1.0) / 180);
     const auto hardness = [](const std::string& text, const char* name = "steel") {
-        return *test::scene_of(on(with(name, text))).hardness;
+        return *test::scene_of(on(with(name, text))).joint.hardness;
     };
     for (const char* text : {"240 HV", "240HV10", "HV 240", "240 HV 0.3", " 240  HV1 "}) {
         INFO(text);
@@ -129,11 +129,11 @@ TEST_CASE("An unknown material is refused with the names next to it") {
 }
 
 TEST_CASE("A body that never yields is elastic, and so is rubber") {
-    CHECK(test::results_of(on(with("steel", "infinite"))).answer->curve.law_at(1).which == fstiff::LawName::hybrid);
+    CHECK(test::results_of(on(with("steel", "infinite"))).answer.points[1].law == fstiff::LawName::hybrid);
     const auto rubber = test::scene_of(on("{ youngs_modulus = \"2 MPa\", poisson_ratio = 0.49 }", "\"steel\""));
-    CHECK(rubber.hardness_range.has_value());  // of the steel
+    CHECK(rubber.joint.hardness_range.has_value());  // of the steel
     CHECK(test::scene_of(ground + "[material.upper]\nyoungs_modulus = \"2 MPa\"\npoisson_ratio = 0.49\n" + loads)
-              .hardness_range.has_value() == false);
+              .joint.hardness_range.has_value() == false);
 }
 
 TEST_CASE("K of a map is that of all its waves, unless a lambda_s is given") {
@@ -159,8 +159,8 @@ TEST_CASE("K of a map is that of all its waves, unless a lambda_s is given") {
         CHECK(points_of(all)[i].value == points_of(none)[i].value);
     }
     CHECK(points_of(given)[1].value > 1.1 * points_of(all)[1].value);  // the more the fewer points touch
-    CHECK(test::scene_of(text("")).face.parameters.peak_radius.value >
-          1.2 * test::scene_of(text("lambda_s = \"none\"\n")).face.parameters.peak_radius.value);
+    CHECK(test::scene_of(text("")).joint.face.parameters.peak_radius.value >
+          1.2 * test::scene_of(text("lambda_s = \"none\"\n")).joint.face.parameters.peak_radius.value);
 }
 
 TEST_CASE("Noise of an instrument is a cause of the band of a map, and above 5 % of sigma a warning") {
@@ -177,15 +177,15 @@ TEST_CASE("Noise of an instrument is a cause of the band of a map, and above 5 %
     const std::string text = "[surface]\nfrom = '" + folder / "map.csv" +
                              "'\n[material]\nupper = " + with("steel", "infinite") + "\n" + loads +
                              "[boundary_elements]\nedges = \"periodic\"\n";
-    const auto part = [](const actions::Results& results) {
-        return results.answer->reasons[2].causes[static_cast<std::size_t>(fstiff::Cause::noise)].high;
+    const auto part = [](const actions::Answered& results) {
+        return results.answer.points[2].causes[static_cast<std::size_t>(fstiff::Cause::noise)].high;
     };
     write(0);
-    const actions::Results quiet = test::results_of(text);
+    const actions::Answered quiet = test::results_of(text);
     CHECK(part(quiet) < 0.01);
     CHECK_FALSE(contains(test::joined(quiet.warnings), "noise"));
     write(0.1e-6);
-    const actions::Results noisy = test::results_of(text);
+    const actions::Answered noisy = test::results_of(text);
     CHECK(part(noisy) > part(quiet));
     CHECK(contains(test::joined(noisy.warnings), "the shortest waves of the map are noise, some 10 % of sigma"));
     CHECK(points_of(noisy)[2].high > points_of(quiet)[2].value);  // the band holds K without the noise

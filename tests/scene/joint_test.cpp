@@ -38,24 +38,29 @@ Body body(const char* name) { return body_of(*find_material(name)); }
 
 /// \p found has every number of the answer of \p scene, to the last digit.
 void require_same(const Answer& found, const scene::Scene& scene) {
-    const actions::Results results = actions::compute(scene);
-    REQUIRE(results.answer);
-    const actions::StiffnessAnswer& answer = *results.answer;
+    const actions::Answered results = actions::compute(scene);
+    REQUIRE(results.has_answer());
+    const Answer& answer = results.answer;
     REQUIRE(found.points.size() == scene.points.size());
     for (std::size_t place = 0; place < found.points.size(); ++place) {
         const AnswerPoint& point = found.points[place];
-        const auto at = answer.curve.state_at(place);
-        REQUIRE(point.ok() == at.has_value());
+        const AnswerPoint* at = answer.at(place);
+        REQUIRE(point.ok() == (at != nullptr));
         if (!at) continue;
         CAPTURE(place);
-        CHECK(point.stiffness.value == answer.curve.states[*at].stiffness.value);
-        CHECK(point.stiffness.low == answer.curve.band[*at].low);
-        CHECK(point.stiffness.high == answer.curve.band[*at].high);
-        CHECK(point.law == answer.curve.law_at(*at).which);
-        CHECK(point.p_star == answer.reasons[*at].p_star);
-        CHECK(point.contacts == answer.reasons[*at].contacts);
-        CHECK(point.loading_stiffness == answer.reasons[*at].loading_stiffness);
-        CHECK(shares_of(point.causes) == shares_of(answer.reasons[*at].causes));
+        CHECK(point.stiffness.value == at->stiffness.value);
+        CHECK(point.stiffness.low == at->stiffness.low);
+        CHECK(point.stiffness.high == at->stiffness.high);
+        CHECK(point.law == at->law);
+        CHECK(point.p_star == at->p_star);
+        CHECK(point.contacts == at->contacts);
+        CHECK(point.loading_stiffness == at->loading_stiffness);
+        CHECK(shares_of(point.causes) == shares_of(at->causes));
+        for (const AnswerPoint::Value& value : at->values) {
+            INFO(value.quantity->word);
+            REQUIRE(point.find(value.quantity->word));
+            CHECK(point[value.quantity->word] == value.number.value);
+        }
     }
     CHECK(found.flows == answer.flows);
     CHECK(found.of_map_itself == answer.of_map_itself);
@@ -183,21 +188,21 @@ TEST_CASE("Laws by name have the curves and bands of a scene that names them") {
                 .upper = body("steel"),
                 .lower = body("cast_iron")};
     const Answer found = answer(joint, pressures, {.laws = {laws::hertz, laws::fractal, laws::persson}});
-    const actions::Results results = actions::compute(
+    const actions::Answered results = actions::compute(
         read("[surface]\nrms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 "
              "/mm^2\"\nfractal_dimension = 1.4\nerrors = { rms_height = \"0.1 um\", fractal_dimension = 0.05 }\n" +
              steel_on_iron + contact_of_text + "laws = [\"hertz\", \"fractal\", \"persson\"]\n"));
-    REQUIRE(found.laws.size() == results.curves.size());
+    REQUIRE(found.laws.size() == results.curves().size());
     for (std::size_t k = 0; k < found.laws.size(); ++k) {
-        const actions::Curve& curve = results.curves[k];
+        const AnswerCurve& curve = results.curves()[k];
         CAPTURE(k);
-        CHECK(found.laws[k].law == curve.law->which);
+        CHECK(found.laws[k].law == curve.law);
         CHECK(found.laws[k].theta == curve.theta);
-        for (std::size_t i = 0; i < curve.states.size(); ++i) {
-            const AnswerPoint& point = found.laws[k].points[curve.places[i]];
-            CHECK(point.stiffness.value == curve.states[i].stiffness.value);
-            CHECK(point.stiffness.low == curve.band[i].low);
-            CHECK(point.stiffness.high == curve.band[i].high);
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            const AnswerPoint& point = found.laws[k].points[i];
+            CHECK(point.stiffness.value == curve.points[i].state.stiffness.value);
+            CHECK(point.stiffness.low == curve.points[i].stiffness.low);
+            CHECK(point.stiffness.high == curve.points[i].stiffness.high);
         }
     }
     CHECK(test::refusal([&] { (void)answer(joint, pressures, {.laws = {laws::summits}}); }) ==
@@ -218,7 +223,7 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
                         .thermal_film = 1e-6};
     joint.friction = Friction{.coefficient = 0.2, .amplitude = 1e-8};
     const Answer found = answer(joint, pressures);
-    const actions::Results results = actions::compute(read(
+    const actions::Answered results = actions::compute(read(
         "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\nhardness = \"1 "
         "GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = \"2 "
         "GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
@@ -228,27 +233,21 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
         "lower = { impedance = \"33 MRayl\", shear_impedance = \"19 MRayl\" }\n[gap]\nconductivity = \"0.026 W/(m "
         "K)\"\n"
         "thermal_film = \"1e-6 m^2 K/W\"\n[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
-    REQUIRE(results.answer);
-    const actions::Curve& curve = results.answer->curve;
-    using enum scene::CurveQuantity;
-    const std::pair<scene::CurveQuantity, std::optional<Banded> AnswerPoint::*> all[]{
-        {tangential_stiffness, &AnswerPoint::tangential_stiffness},
-        {loss_factor, &AnswerPoint::loss_factor},
-        {reflection, &AnswerPoint::reflection},
-        {shear_reflection, &AnswerPoint::shear_reflection},
-        {thermal_conductance, &AnswerPoint::thermal_conductance},
-        {electrical_conductance, &AnswerPoint::electrical_conductance}};
+    REQUIRE(results.has_answer());
+    const std::array words{"tangential_stiffness", "loss_factor",         "reflection",
+                           "shear_reflection",     "thermal_conductance", "electrical_conductance"};
     for (std::size_t i = 0; i < pressures.size(); ++i) {
-        for (const auto& [quantity, member] : all) {
-            const std::optional<Banded>& value = found.points[i].*member;
-            CAPTURE(i, static_cast<int>(quantity));
+        for (const char* word : words) {
+            const AnswerPoint::Value *value = found.points[i].find(word), *own = results.answer.points[i].find(word);
+            CAPTURE(i, word);
             REQUIRE(value);
-            CHECK(value->value == curve.value_at(i, quantity));
-            CHECK(value->low == curve.value_at(i, quantity, scene::Statistic::p05));
-            CHECK(value->high == curve.value_at(i, quantity, scene::Statistic::p95));
-            CHECK(value->low < value->high);
+            REQUIRE(own);
+            CHECK(value->number.value == own->number.value);
+            CHECK(value->number.low == own->number.low);
+            CHECK(value->number.high == own->number.high);
+            CHECK(value->number.low < value->number.high);
         }
-        CHECK(found.points[i].gap_conductance == curve.value_at(i, thermal_conductance_gap));
+        CHECK(found.points[i]["thermal_conductance_gap"] == results.answer.points[i]["thermal_conductance_gap"]);
     }
     joint.waves->film_stiffness = -1;
     CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("film_stiffness = -1"));
@@ -298,7 +297,7 @@ std::vector<double> numbers_of(const Answer& found) {
     for (const AnswerPoint& point : found.points) {
         const auto& [low, value, high] = point.stiffness;
         numbers.insert(numbers.end(), {low, value, high, point.loading_stiffness.value_or(0), point.p_star.value_or(0),
-                                       point.contacts.value_or(0), point.gap_conductance.value_or(0)});
+                                       point.contacts.value_or(0)});
         for (const double share : shares_of(point.causes)) numbers.push_back(share);
     }
     for (const Check<double>& check : found.concerns)
@@ -310,11 +309,11 @@ std::vector<double> numbers_of(const Answer& found) {
 TEST_CASE("An answer without its approach has every other number, those of crossed planes and of a gap too") {
     Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
     const auto same = [](const Joint& of, const std::vector<double>& under) {
-        const Answer whole = answer(of, under), without = answer(of, under, {.approach = false});
+        const Answer whole = answer(of, under), without = answer(of, under, {.quantities = {"stiffness"}});
         CHECK(numbers_of(whole) == numbers_of(without));
         CHECK(whole.doubtful == without.doubtful);
-        CHECK(whole.points.front().approach);
-        CHECK_FALSE(without.points.front().approach);
+        CHECK(whole.points.front().find("approach"));
+        CHECK_FALSE(without.points.front().find("approach"));
     };
     same(joint, pressures);
     joint.upper.hardness = joint.lower.hardness = 1e9;
@@ -335,7 +334,7 @@ TEST_CASE("An answer is the same whatever was asked before it, and in any thread
     const std::vector<double> first = numbers_of(answer(joint(9, Process::honed), pressures)),
                               ground = numbers_of(answer(joint(7, Process::ground), pressures));
     for (int i = 0; i < 80; ++i)  // more than are kept
-        (void)answer(joint(2 + 0.5 * i, Process(1 + i % 8)), 1e7, {.approach = false});
+        (void)answer(joint(2 + 0.5 * i, Process(1 + i % 8)), 1e7, {.quantities = {"stiffness"}});
     CHECK(numbers_of(answer(joint(9, Process::honed), pressures)) == first);
     std::array<std::vector<double>, 4> found;
     std::vector<std::thread> threads;
@@ -371,7 +370,7 @@ TEST_CASE("The law of an answer and of the ends of its band is a table of K with
     const Answer at = answer(joint, between);
     for (std::size_t i = 0; i < between.size(); ++i) {
         CHECK(test::relative_error(law.stiffness(between[i]), at.points[i].stiffness.value) < 1e-3);
-        const double approach = *at.points[i].approach - *found.points[0].approach;
+        const double approach = at.points[i]["approach"] - found.points[0]["approach"];
         CHECK(std::abs(law.approach(between[i], 1e5) - approach) < 1e-3 * found.rms_height);
     }
     CHECK(test::refusal([&] { (void)found.law_at(0.1, {1e5, 1e9}); }).starts_with("quantile = 0.1: must be"));
@@ -391,12 +390,12 @@ TEST_CASE("The ball of a scene is one on the law of the answer and of the ends o
         read("[surface]\nrms_height = \"0.3 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\n" + never +
              "[material.lower]\nname = \"cast_iron\"\n" + never +
              "[contact]\nball_radius = \"10 mm\"\nforce = [\"1 N\", \"50 N\"]\n");
-    const actions::Results results = actions::compute(scene);
+    const actions::Answered results = actions::compute(scene);
     REQUIRE(results.balls.size() == 2);
     const Answer found = answer(joint, scene.points);
     const LawRange<double> range{scene.points.front(), scene.points.back(), OutsideRange::extrapolate};
-    const double modulus = scene.effective_modulus;
-    for (const actions::BallUnderForce& ball : results.balls) {
+    const double modulus = scene.joint.effective_modulus;
+    for (const Answer::Ball& ball : results.balls) {
         const auto on = [&](double quantile) {
             return ball_on_rough_face(found.law_at(quantile, range), 10e-3, modulus, ball.hertz.load);
         };
@@ -416,11 +415,11 @@ TEST_CASE("The ball of a scene is one on the law of the answer and of the ends o
         CHECK(test::relative_error(ball.hertz.stiffness, 2 * modulus * a) < 1e-15);
     }
     // the approach of the law of the answer counts from its closest separation, that of the scene from the mean planes
-    const auto part = [&](const actions::BallUnderForce& ball) {
+    const auto part = [&](const Answer::Ball& ball) {
         return ball.contact.approach -
                ball_on_rough_face(found.law_at(0.5, range), 10e-3, modulus, ball.hertz.load).approach;
     };
-    const double closest = results.answer->curve.states.back().separation.value;
+    const double closest = results.answer.points.back().state.separation.value;
     CHECK(std::abs(part(results.balls[0]) + closest) < 1e-3 * 0.3e-6);
     CHECK(std::abs(part(results.balls[1]) + closest) < 1e-3 * 0.3e-6);
 }

@@ -79,7 +79,7 @@ TEST_CASE("One force, a list and a range are points, and the scene keeps the for
     REQUIRE(range.forces.size() == 3);
     CHECK(test::relative_error(range.forces[1], 100.0) < 1e-14);  // in equal steps of the logarithm
     for (std::size_t i = 0; i < 3; ++i) CHECK(range.points[i] == range.forces[i] / 0.5e-4);
-    CHECK(actions::shown_point(one, 0) == "1 kN, 20 MPa");
+    CHECK(one.shown_point(0) == "1 kN, 20 MPa");
     CHECK(input_of(one, "contact.seating").value == 1e3);
 }
 
@@ -89,11 +89,11 @@ TEST_CASE("The nominal area of a washer is that of its ring") {
     };
     const auto m8 = read("{ inner = \"8.4 mm\", outer = \"16 mm\" }");
     const double pi = std::numbers::pi;
-    CHECK(test::relative_error(*m8.nominal_area, pi / 4 * (16e-3 * 16e-3 - 8.4e-3 * 8.4e-3)) < 1e-14);
-    CHECK(test::relative_error(*read("{ inner = \"0 mm\", outer = \"2 mm\" }").nominal_area, pi * 1e-6) < 1e-14);
-    CHECK(input_of(m8, "contact.nominal_area").value == m8.nominal_area);
-    CHECK(m8.asks(scene::CurveQuantity::joint_stiffness));
-    CHECK(m8.asks(scene::CurveQuantity::approach));
+    CHECK(test::relative_error(*m8.joint.nominal_area, pi / 4 * (16e-3 * 16e-3 - 8.4e-3 * 8.4e-3)) < 1e-14);
+    CHECK(test::relative_error(*read("{ inner = \"0 mm\", outer = \"2 mm\" }").joint.nominal_area, pi * 1e-6) < 1e-14);
+    CHECK(input_of(m8, "contact.nominal_area").value == m8.joint.nominal_area);
+    CHECK(m8.asks("joint_stiffness"));
+    CHECK(m8.asks("approach"));
 }
 
 TEST_CASE("A smooth ball is that of Hertz, and one of peaks that yield has two stiffnesses") {
@@ -104,17 +104,17 @@ TEST_CASE("A smooth ball is that of Hertz, and one of peaks that yield has two s
             "force = " +
             forces + "\n");
     };
-    const actions::Results smooth = actions::compute(scene("0.2 nm", "\"50 N\""));
+    const actions::Answered smooth = actions::compute(scene("0.2 nm", "\"50 N\""));
     REQUIRE(smooth.balls.size() == 1);
     REQUIRE(smooth.balls[0].reason.empty());
     CHECK(test::relative_error(smooth.balls[0].contact.stiffness, smooth.balls[0].hertz.stiffness) < 2e-3);
     CHECK(test::relative_error(smooth.balls[0].contact.approach, smooth.balls[0].hertz.approach) < 2e-3);
 
     const scene::Scene rough = scene("0.3 um", "[\"1 N\", \"10 N\", \"1 kN\"]");
-    const actions::Results results = actions::compute(rough);
-    auto document = run_document(rough, results);
+    const actions::Answered results = actions::compute(rough);
+    auto document = run_document(results);
     const nlohmann::json rows = test::parsed(document)["ball"];
-    const test::Csv csv(document_of(rough, results).csv());
+    const test::Csv csv(document_of(results).csv());
     REQUIRE(rows.size() == 3);
     REQUIRE(csv.size() == 3);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -138,15 +138,15 @@ TEST_CASE("A smooth ball is that of Hertz, and one of peaks that yield has two s
     CHECK(results.doubtful);
     CHECK(test::contains(test::joined(results.warnings),
                          "the ball under 1 kN has no contact: pressure of the ball = 2.8"));
-    const std::string text = document_of(rough, results).text();
+    const std::string text = document_of(results).text();
     for (const char* part : {"a [µm]", "loading K", "ball of radius 10 mm", "few contacts;"})
         CHECK(test::contains(text, part));
     // faces that a ball closes are smooth at its centre
-    const actions::Results closed = actions::compute(test::scene_of(
+    const actions::Answered closed = actions::compute(test::scene_of(
         "[surface]\nrms_height = \"0.3 um\"\nrms_gradient = 0.05\n[material.upper]\nyoungs_modulus = \"3 GPa\"\n"
         "poisson_ratio = 0.4\nhardness = \"infinite\"\n[contact]\nball_radius = \"3 mm\"\nforce = \"10 N\"\n"));
     REQUIRE(closed.balls[0].reason.empty());
-    CHECK(closed.balls[0].contact.pressure > closed.answer->curve.states.back().pressure.value);
+    CHECK(closed.balls[0].contact.pressure > closed.answer.points.back().state.pressure.value);
     CHECK(test::relative_error(closed.balls[0].contact.stiffness, closed.balls[0].hertz.stiffness) < 0.03);
     // 1.6 times 2.57/2.8 GPa
     CHECK(test::contains(test::joined(actions::compute(scene("0.1 um", "[\"10 N\", \"160 N\"]")).warnings),
@@ -193,13 +193,11 @@ TEST_CASE("Where boundary elements of the map answer, the approach begins at the
     const std::string file = folder.write("joint.toml", text);
     const auto best = test::results_of(text, file),
                elements = test::results_of(text + "laws = [\"boundary_elements\"]\n", file);
-    REQUIRE(best.answer);
-    REQUIRE(best.answer->curve.law_at(0).name == "boundary_elements");
-    const auto approach = [](const actions::Curve& curve) {
-        return curve.value_at(0, scene::CurveQuantity::approach).value();
-    };
-    CHECK(approach(elements.curves.front()) > 0);
-    CHECK(test::relative_error(approach(best.answer->curve), approach(elements.curves.front())) < 1e-9);
+    REQUIRE(best.has_answer());
+    REQUIRE(best.answer.points[0].law == LawName::boundary_elements);
+    const auto approach = [](const AnswerCurve& curve) { return test::value_at(curve, 0, "approach").value(); };
+    CHECK(approach(elements.curves().front()) > 0);
+    CHECK(test::relative_error(approach(best.answer), approach(elements.curves().front())) < 1e-9);
 }
 
 TEST_CASE("K in N/m is refused where no area is known") {
@@ -216,25 +214,24 @@ TEST_CASE("Two rough faces of two named materials under a force are one face of 
         "[surface.lower]\nrms_height = \"0.8 um\"\nrms_gradient = 0.08\nalpha = 5\n"
         "[contact]\nforce = \"15 kN\"\nnominal_area = \"300 mm^2\"\n" +
         laws);
-    CHECK(test::ulps(named.modulus, modulus) <= 4);
+    CHECK(test::ulps(named.answer.effective_modulus, modulus) <= 4);
     // one face with the added m0, m2 and m4, on bodies of another modulus: K and p scale with it
     const auto unit = test::results_of(
         "[surface]\nrms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 5\n"
         "[material.upper]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0\n"
         "[contact]\npressures = [\"" +
         document::exact(50e6 / modulus * 1e9) + " Pa\"]\n" + laws);
-    REQUIRE(named.curves.size() == unit.curves.size());
-    CHECK(test::relative_error(unit.modulus, 1e9) < 1e-15);
-    const auto k = [](const actions::Results& results, std::size_t curve, scene::CurveQuantity quantity) {
-        return results.curves[curve].value_at(0, quantity).value();
+    REQUIRE(named.curves().size() == unit.curves().size());
+    CHECK(test::relative_error(unit.answer.effective_modulus, 1e9) < 1e-15);
+    const auto k = [](const actions::Answered& results, std::size_t curve, std::string_view quantity) {
+        return test::value_at(results.curves()[curve], 0, quantity).value();
     };
-    using enum scene::CurveQuantity;
-    CHECK(test::relative_error(k(named, 0, pressure), 50e6) < 1e-12);
-    for (std::size_t i = 0; i < named.curves.size(); ++i) {
-        INFO(named.curves[i].law->name);
-        const double truth = k(unit, i, stiffness) * modulus / 1e9;
-        CHECK(test::relative_error(k(named, i, stiffness), truth) < 1e-9);
-        CHECK(test::relative_error(k(named, i, joint_stiffness), k(named, i, stiffness) * 300e-6) < 1e-15);
+    CHECK(test::relative_error(k(named, 0, "pressure"), 50e6) < 1e-12);
+    for (std::size_t i = 0; i < named.curves().size(); ++i) {
+        INFO(fstiff::name_of(named.curves()[i].law));
+        const double truth = k(unit, i, "stiffness") * modulus / 1e9;
+        CHECK(test::relative_error(k(named, i, "stiffness"), truth) < 1e-9);
+        CHECK(test::relative_error(k(named, i, "joint_stiffness"), k(named, i, "stiffness") * 300e-6) < 1e-15);
     }
 }
 
@@ -243,19 +240,19 @@ TEST_CASE(
     const std::string contact = "[contact]\npressures = [\"10 MPa\"]\n" + laws;
     const auto steel = test::scene_of(surface + contact);
     CHECK(of_bodies(steel) == std::vector<std::string>{"both bodies steel, 210 GPa, nu 0.3"});
-    CHECK(steel.lower.youngs_modulus == 210e9);
+    CHECK(steel.joint.lower.youngs_modulus == 210e9);
     CHECK(input_of(steel, "material.upper").shown() == "steel (default)");
     const auto mixed = test::scene_of("material.upper = \"cast iron\"\n" + surface +
                                       "[material.lower]\nname = \"PMMA\"\nyoungs_modulus = \"3 GPa\"\n"
                                       "hardness = \"0.3 GPa\"\n" +
                                       contact);
     CHECK(of_bodies(mixed).empty());
-    CHECK(mixed.upper.youngs_modulus == 110e9);
-    CHECK(mixed.upper.poisson_ratio == 0.26);
-    CHECK(mixed.lower.youngs_modulus == 3e9);
-    CHECK(mixed.lower.poisson_ratio == 0.37);
-    CHECK(mixed.hardness == 0.3e9);
-    CHECK(mixed.softer_poisson == 0.37);
+    CHECK(mixed.joint.upper.youngs_modulus == 110e9);
+    CHECK(mixed.joint.upper.poisson_ratio == 0.26);
+    CHECK(mixed.joint.lower.youngs_modulus == 3e9);
+    CHECK(mixed.joint.lower.poisson_ratio == 0.37);
+    CHECK(mixed.joint.hardness == 0.3e9);
+    CHECK(mixed.joint.softer_poisson == 0.37);
     CHECK(input_of(mixed, "material.upper").written == "cast iron");
     CHECK(input_of(mixed, "material.upper.youngs_modulus").value == 110e9);
     CHECK(input_of(mixed, "material.lower.poisson_ratio").shown() == "of PMMA (default)");
@@ -273,7 +270,7 @@ TEST_CASE("Every named material is a body of waves, but polymers whose speeds ar
                                  {"ultrasound.upper.impedance", "missing", "density and", "velocity"});
             continue;
         }
-        const auto waves = *test::scene_of(scene).ultrasound;
+        const auto waves = *test::scene_of(scene).joint.ultrasound;
         CHECK(waves.longitudinal.incident == one.density * one.wave_speeds().first);
         CHECK(waves.shear->incident == one.density * one.wave_speeds().second);
     }
@@ -283,23 +280,23 @@ TEST_CASE("The waves of a scene take density and speeds of the named bodies, and
     const std::string begin = "material = { upper = \"steel\", lower = \"aluminium\" }\n" + surface +
                               "[contact]\npressures = [\"10 MPa\"]\n" + laws + "[ultrasound]\nfrequency = \"5 MHz\"\n";
     const auto both = test::scene_of(begin);
-    CHECK(both.ultrasound->longitudinal.incident == 7850 * 5960.0);
-    CHECK(both.ultrasound->longitudinal.beyond == 2700 * 6420.0);
-    CHECK(both.ultrasound->shear->beyond == 2700 * 3040.0);
+    CHECK(both.joint.ultrasound->longitudinal.incident == 7850 * 5960.0);
+    CHECK(both.joint.ultrasound->longitudinal.beyond == 2700 * 6420.0);
+    CHECK(both.joint.ultrasound->shear->beyond == 2700 * 3040.0);
     REQUIRE(of_bodies(both).size() == 2);
     CHECK(of_bodies(both)[1] ==
           "ultrasound.lower as aluminium: density 2700 kg/m^3, velocity 6420 m/s, shear_velocity 3040 m/s");
     CHECK(input_of(both, "ultrasound.upper.velocity").value == 5960);
     const auto part =
         test::scene_of(begin + "upper = { velocity = \"5900 m/s\" }\nlower = { impedance = \"17 MRayl\" }\n");
-    CHECK(part.ultrasound->longitudinal.incident == 7850 * 5900.0);
-    CHECK(part.ultrasound->longitudinal.beyond == 17e6);
-    CHECK(!part.ultrasound->shear);  // of a body that gives its impedance no more is taken
+    CHECK(part.joint.ultrasound->longitudinal.incident == 7850 * 5900.0);
+    CHECK(part.joint.ultrasound->longitudinal.beyond == 17e6);
+    CHECK(!part.joint.ultrasound->shear);  // of a body that gives its impedance no more is taken
     const auto given = test::scene_of(begin + "upper = { impedance = \"46 MRayl\", shear_impedance = \"25 MRayl\" }\n");
-    CHECK(given.ultrasound->longitudinal.incident == 46e6);
-    CHECK(given.ultrasound->shear->beyond == 2700 * 3040.0);
+    CHECK(given.joint.ultrasound->longitudinal.incident == 46e6);
+    CHECK(given.joint.ultrasound->shear->beyond == 2700 * 3040.0);
     const auto like = test::scene_of(test::replaced(begin, "aluminium", "steel"));
-    CHECK(like.ultrasound->longitudinal.beyond == 7850 * 5960.0);
+    CHECK(like.joint.ultrasound->longitudinal.beyond == 7850 * 5960.0);
     CHECK(input_of(like, "ultrasound.lower").shown() == "as ultrasound.upper (default)");
     CHECK(of_bodies(like).size() == 1);
 }
@@ -310,9 +307,9 @@ TEST_CASE("A surface in place of that of the built-in scene has its bodies, with
     const auto own = scene::read_scene(scene::builtin_scene, {.name = "built-in scene"}),
                of_file = scene::read_scene(scene::builtin_scene, {.name = "built-in scene", .surface = file});
     CHECK(of_bodies(own).empty());
-    CHECK(own.nominal_area == 195e-6);
+    CHECK(own.joint.nominal_area == 195e-6);
     CHECK(of_bodies(of_file) == std::vector<std::string>{"the material, which is the steel of the built-in scene"});
-    CHECK(!of_file.nominal_area);
+    CHECK(!of_file.joint.nominal_area);
     CHECK_THROWS_AS(input_of(of_file, "contact.nominal_area"), std::runtime_error);
 }
 
@@ -332,7 +329,8 @@ TEST_CASE("A scene of five lines gives K of a joint with a measured trace") {
 TEST_CASE("data/bolted_joint.toml is the joint that docs/finite_elements.md describes") {
     const std::string text = test::read(FSTIFF_SCENES "/bolted_joint.toml");
     const auto results = test::results_of(text);
-    CHECK(test::relative_error(results.modulus, 1 / (compliance(210e9, 0.3) + compliance(110e9, 0.26))) < 1e-14);
+    CHECK(test::relative_error(results.answer.effective_modulus,
+                               1 / (compliance(210e9, 0.3) + compliance(110e9, 0.26))) < 1e-14);
     const std::string docs = test::read(FSTIFF_SCENES "/../docs/finite_elements.md");
     CHECK(test::contains(docs, text.substr(text.find("[material]"))));
 }

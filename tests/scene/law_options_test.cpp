@@ -55,7 +55,7 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
             };
             scene::Scene changed = read(good);
             bool differs = false;
-            scene::each_law_option(law, changed.law_options, [&](std::string_view other, auto& now, const auto&) {
+            scene::each_law_option(law, changed.joint.law_options, [&](std::string_view other, auto& now, const auto&) {
                 if constexpr (std::is_same_v<decltype(now), decltype(member)>)
                     if (other == name) differs = !(now == member);
             });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The keys of a scene for the laws that are not in the paper. Truth: the library's contacts, made by hand; tests/data.
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 
 #include <fstiff/answer/face.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
@@ -16,6 +15,7 @@
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 #include "support/half_space_maps.hpp"
+#include "support/library.hpp"
 #include "support/table.hpp"
 
 #include <filesystem>
@@ -35,7 +35,7 @@ std::string scene_of(const std::string& surface, const std::string& laws, const 
            laws + "]\npeaks = [{ theta = 1.0, r = 0.5 }]\n" + more;
 }
 
-actions::Results computed(const std::string& text) {
+actions::Answered computed(const std::string& text) {
     return actions::compute(scene::read_scene(text, {.name = "s.toml"}));
 }
 
@@ -79,15 +79,17 @@ TEST_CASE("rms_height, rms_gradient and alpha suffice for hybrid and persson") {
     const auto m = detail::moments_of_gradient(1.1e-6, 0.1, 8.24);
     const PerssonContact<double> persson(detail::band_of_moments(m, 0.7), E, 0.5);
     const auto hybrid = hybrid_of_band(detail::band_of_moments(m, 0.7), E, 0.5);
-    REQUIRE(results.curves.size() == 2);
+    REQUIRE(results.curves().size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         const double p = i == 0 ? 1e6 : 5e6;
-        CHECK(test::relative_error(results.curves[0].states[i].stiffness.value, hybrid.stiffness(p)) < 1e-12);
-        CHECK(test::relative_error(results.curves[1].states[i].stiffness.value, persson.stiffness(p)) < 1e-12);
-        CHECK(test::relative_error(results.curves[0].states[i].separation.value, hybrid.separation(p).value) < 1e-10);
+        CHECK(test::relative_error(results.curves()[0].points[i].state.stiffness.value, hybrid.stiffness(p)) < 1e-12);
+        CHECK(test::relative_error(results.curves()[1].points[i].state.stiffness.value, persson.stiffness(p)) < 1e-12);
+        CHECK(test::relative_error(results.curves()[0].points[i].state.separation.value, hybrid.separation(p).value) <
+              1e-10);
     }
-    CHECK(test::relative_error(*results.curves[0].rms_gradient, 0.1) < 1e-14);
-    CHECK(results.curves[1].states[0].contact_density.value == 0);
+    CHECK(test::relative_error(*results.curves()[0].points[0].p_star, 1e6 / (results.answer.effective_modulus * 0.1)) <
+          1e-14);
+    CHECK(results.curves()[1].points[0].state.contact_density.value == 0);
 }
 
 TEST_CASE("plastic laws take the hardness of the softer body, and print loading and unloading") {
@@ -95,19 +97,13 @@ TEST_CASE("plastic laws take the hardness of the softer body, and print loading 
         "\n[material.lower]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.0\nhardness = \"9 MPa\"\n";
     const auto results =
         computed(scene_of(moments, "\"plastic\"", "[output]\nquantities = [\"loading_stiffness\"]" + body));
-    const auto& state = results.curves[0].states[0];
+    const auto& state = results.curves()[0].points[0].state;
     const double area = 1e6 * std::hypot(1 / 9e6, 2 / (1e9 * 0.1));  // p sqrt(1/H^2 + 4/(E g)^2), nearly
     CHECK(test::relative_error(state.real_area_fraction.value, area) < 1e-3);
-    bool found = false;
-    for (const auto& column : results.curves[0].columns)
-        if (column.key() == "loading_stiffness_Pa_per_m") {
-            found = true;
-            CHECK(column.values[0] == state.loading_stiffness.value);
-            CHECK(column.values[0] > 0);
-        }
-    CHECK(found);
+    CHECK(test::value_at(results.curves()[0], 0, "loading_stiffness") == state.loading_stiffness.value);
+    CHECK(state.loading_stiffness.value > 0);
     const auto peaks = computed(scene_of(moments, "\"plastic_peaks\"", body));
-    CHECK(test::relative_error(peaks.curves[0].states[0].real_area_fraction.value, 1.0 / 9) < 1e-9);  // p/H
+    CHECK(test::relative_error(peaks.curves()[0].points[0].state.real_area_fraction.value, 1.0 / 9) < 1e-9);  // p/H
 }
 
 TEST_CASE("plastic laws warn where the mean over the load leaves their range") {
@@ -147,18 +143,20 @@ TEST_CASE("laws of a map: its summits and boundary elements") {
     const MapFile file;
     const auto results = computed(scene_of(file.surface(), "\"summits\", \"hybrid\", \"boundary_elements\"",
                                            "[boundary_elements]\npoints = 128\nedges = \"periodic\"\n"));
-    REQUIRE(results.curves.size() == 3);
+    REQUIRE(results.curves().size() == 3);
     const auto truth =
         fstiff::truth(file.map, 1e9, std::vector<double>{1e6, 5e6}, {.points = 128, .edges = Edges::periodic});
     for (std::size_t i = 0; i < 2; ++i) {
         // the file has nine digits or more
-        CHECK(test::relative_error(results.curves[2].states[i].stiffness.value, truth[i].state.stiffness) < 1e-3);
-        CHECK(test::relative_error(results.curves[2].states[i].separation.value, truth[i].state.mean_gap) < 1e-4);
-        CHECK(results.curves[2].states[i].stiffness.error > 0);
+        CHECK(test::relative_error(results.curves()[2].points[i].state.stiffness.value, truth[i].state.stiffness) <
+              1e-3);
+        CHECK(test::relative_error(results.curves()[2].points[i].state.separation.value, truth[i].state.mean_gap) <
+              1e-4);
+        CHECK(results.curves()[2].points[i].state.stiffness.error > 0);
     }
-    for (const auto& curve : results.curves) CHECK_FALSE(curve.theta);
-    CHECK(results.curves[2].band.empty());
-    CHECK_FALSE(results.curves[1].band.empty());
+    for (const auto& curve : results.curves()) CHECK_FALSE(curve.theta);
+    CHECK_FALSE(results.curves()[2].has_band);
+    CHECK(results.curves()[1].has_band);
     CHECK_FALSE(results.explanation.empty());
 }
 
@@ -181,15 +179,15 @@ TEST_CASE("Every law of a measured surface divides by one sigma: that of the hei
     for (const auto& of : cases) {
         CAPTURE(of.surface);
         const scene::Scene scene = scene::read_scene(of.surface + rest, {.name = "s.toml"});
-        const double rms_height = scene.face.parameters.rms_height.value;
+        const double rms_height = scene.joint.face.parameters.rms_height.value;
         CHECK(test::relative_error(rms_height, of.sigma) < 1e-7);  // the file has nine digits
-        CHECK(test::relative_error(scene.face.map->spectrum().rms_height, rms_height) < 1e-12);
-        CHECK(test::relative_error(scene.face.map->rms_height(), rms_height) < 1e-12);
+        CHECK(test::relative_error(scene.joint.face.map->spectrum().rms_height, rms_height) < 1e-12);
+        CHECK(test::relative_error(scene.joint.face.map->rms_height(), rms_height) < 1e-12);
         const auto results = actions::compute(scene);
-        REQUIRE(results.curves.size() == 3);
-        for (const auto& curve : results.curves)
-            for (const auto& state : curve.states) {
-                CAPTURE(curve.law->name);
+        REQUIRE(results.curves().size() == 3);
+        for (const auto& curve : results.curves())
+            for (const auto& state : test::states_of(curve)) {
+                CAPTURE(fstiff::name_of(curve.law));
                 CHECK(test::relative_error(state.separation.value / state.eta, rms_height) < 1e-12);
             }
     }
@@ -204,7 +202,7 @@ TEST_CASE("persson takes the spectrum of a map with its mirror images, or of one
             "[boundary_elements]\nedges = \"" + std::string(name_of(edges)) + "\"\n[uncertainty]\nsamples = 0\n"));
         const PerssonContact<double> persson(map_spectrum(file.map, edges), 1e9);
         for (std::size_t i = 0; i < 2; ++i)
-            CHECK(test::relative_error(results.curves[0].states[i].stiffness.value,
+            CHECK(test::relative_error(results.curves()[0].points[i].state.stiffness.value,
                                        persson.stiffness(i == 0 ? 1e6 : 5e6)) < 1e-6);
     }
 }
@@ -214,7 +212,7 @@ TEST_CASE("[persson] spectrum holds for a map and for its neighbours of lambda_s
     for (const char* spectrum : {"map", "moments"}) {
         const std::string text =
             scene_of(file.surface(), "\"persson\"", "[persson]\nspectrum = \"" + std::string(spectrum) + "\"\n");
-        const detail::Face face = scene::read_scene(text, {.name = "s.toml"}).face;
+        const detail::Face face = scene::read_scene(text, {.name = "s.toml"}).joint.face;
         REQUIRE(!face.neighbours.empty());
         CHECK(face.spectrum_of_map == (std::string(spectrum) == "map"));
         for (const detail::Face& neighbour : face.neighbours) {
@@ -236,22 +234,24 @@ TEST_CASE("A pressure that a law does not reach leaves its other pressures and t
         const std::string text = scene_of(surface, "\"hertz\", \"boundary_elements\"", elements);
         const auto reached = computed(at(text, "\"1 MPa\", \"5 MPa\""));
         const auto all = computed(at(text, "\"90 GPa\", \"1 MPa\", \"80 GPa\", \"5 MPa\""));
-        REQUIRE(all.curves.size() == 2);
-        const actions::Curve& found = all.curves[1];
-        CHECK(found.places == std::vector<std::size_t>{1, 3});
-        REQUIRE(found.missed.size() == 2);
-        CHECK(found.missed[1].place == 2);
-        CHECK(found.missed[1].reason == "all points of the map are in contact");
-        CHECK(found.state_at(3) == 1);
-        CHECK_FALSE(found.state_at(2));
-        for (const scene::Column& column : found.columns) CHECK((column.values.empty() || column.values.size() == 2));
+        REQUIRE(all.curves().size() == 2);
+        const AnswerCurve& found = all.curves()[1];
+        REQUIRE(found.points.size() == 4);
+        CHECK(actions::count_of(found) == 2);
+        CHECK(found.points[2].place == 2);
+        CHECK(found.points[2].miss == AnswerPoint::Miss::law);
+        CHECK(found.points[2].reason == "all points of the map are in contact");
+        CHECK(found.at(3) == &found.points[3]);
+        CHECK_FALSE(found.at(2));
         for (std::size_t i = 0; i < 2; ++i) {
             // the solver begins with the pressures of the point before: equal to its tolerance
-            const double k = found.states[i].stiffness.value, alone = reached.curves[1].states[i].stiffness.value;
+            const double k = found.points[2 * i + 1].state.stiffness.value,
+                         alone = reached.curves()[1].points[i].state.stiffness.value;
             CHECK(test::relative_error(k, alone) < 1e-5);
             // the band of a point is that of its pressure, whatever precedes it
-            CHECK(all.curves[0].states[2 * i + 1].stiffness.value == reached.curves[0].states[i].stiffness.value);
-            CHECK(all.curves[0].band[2 * i + 1].low == reached.curves[0].band[i].low);
+            CHECK(all.curves()[0].points[2 * i + 1].state.stiffness.value ==
+                  reached.curves()[0].points[i].state.stiffness.value);
+            CHECK(all.curves()[0].points[2 * i + 1].stiffness.low == reached.curves()[0].points[i].stiffness.low);
         }
         CHECK(all.doubtful);
         CHECK(std::count(all.warnings.begin(), all.warnings.end(),
@@ -260,15 +260,15 @@ TEST_CASE("A pressure that a law does not reach leaves its other pressures and t
     }
     const std::string text = scene_of(one_face, "\"hertz\", \"boundary_elements\"", elements);
     const auto none = computed(at(text, "\"90 GPa\""));
-    CHECK(none.curves[1].states.empty());
-    CHECK(none.curves[0].states.size() == 1);
+    CHECK(actions::count_of(none.curves()[1]) == 0);
+    CHECK(none.curves()[0].points.size() == 1);
     CHECK(refused(at(scene_of(one_face, "\"boundary_elements\"", elements), "\"90 GPa\"")) ==
           "s.toml:10: contact.pressures: law boundary_elements: all points of the map are in contact");
     // at the hardness and above it, all points would flow
     const auto hard = computed(at(scene_of(one_face, "\"boundary_elements\"", elements + "hardness = \"100 MPa\"\n"),
                                   "\"100 MPa\", \"1 MPa\""));
-    CHECK(hard.curves[0].places == std::vector<std::size_t>{1});
-    CHECK(hard.curves[0].missed[0].reason == "pressure = 1e+08: must be less than the hardness (Pa)");
+    CHECK(hard.curves()[0].at(1));
+    CHECK(hard.curves()[0].points[0].reason == "pressure = 1e+08: must be less than the hardness (Pa)");
 }
 
 TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradient, is beyond the range of double",
@@ -279,9 +279,14 @@ TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradien
     for (const char* pressure : {"1 MPa", "3 MPa", "8 MPa"}) {
         const auto results =
             computed(test::replaced(soft, "\"1 MPa\", \"5 MPa\"", "\"" + std::string(pressure) + "\""));
-        for (const actions::Curve& curve : results.curves)
-            for (const scene::Column& column : curve.columns)
-                for (const double value : column.values) CHECK(std::isfinite(value));
+        for (const AnswerCurve& curve : results.curves())
+            for (const AnswerPoint& point : curve.points)
+                for (const AnswerPoint::Value& value : point.values) {
+                    CHECK(std::isfinite(value.number.value));
+                    CHECK(std::isfinite(value.error));
+                    if (value.quantity->follows_stiffness())
+                        CHECK((std::isfinite(value.number.low) && std::isfinite(value.number.high)));
+                }
     }
     const std::string numbers = "rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n";
     for (const char* gradient : {"1e-308", "5e-324", "1e-170", "1e155", "1e308"}) {
@@ -289,8 +294,8 @@ TEST_CASE("No band of an elastomer pressed shut, and no p* of an extreme gradien
         INFO(gradient);
         CHECK(test::contains(refused(scene_of(surface, "\"persson\"")), "beyond the range of double precision"));
         const auto results = computed(scene_of(surface, "\"hertz\""));
-        for (const auto& curve : results.curves)
-            CHECK((!curve.rms_gradient || std::isfinite(5e6 / (results.modulus * *curve.rms_gradient))));
+        for (const auto& curve : results.curves())
+            for (const AnswerPoint& point : curve.points) CHECK((!point.p_star || std::isfinite(*point.p_star)));
     }
 }
 
@@ -320,12 +325,13 @@ TEST_CASE("Every law has its description") {
 TEST_CASE("With alpha and without given peaks, they are those of an isotropic surface, except for paper laws") {
     const std::string numbers = "rms_height = \"1 um\"\nrms_gradient = 0.1\nalpha = 25\nfractal_dimension = 1.4";
     const std::string text = scene_of(numbers, "\"fractal\", \"hertz\"");
-    CHECK(computed(text).curves.size() == 2);  // peaks that are given hold for all
-    const auto curves = computed(test::replaced(text, "peaks = [{ theta = 1.0, r = 0.5 }]\n", "")).curves;
+    CHECK(computed(text).curves().size() == 2);  // peaks that are given hold for all
+    const auto results = computed(test::replaced(text, "peaks = [{ theta = 1.0, r = 0.5 }]\n", ""));
+    const auto curves = results.curves();
     REQUIRE(curves.size() == 3);
-    for (std::size_t i = 0; i < 2; ++i) CHECK(curves[i].law->name == "fractal");
+    for (std::size_t i = 0; i < 2; ++i) CHECK(fstiff::name_of(curves[i].law) == "fractal");
     CHECK(test::relative_error(*curves[1].theta, std::numbers::pi / 3) < 1e-15);
-    CHECK(curves[2].law->name == "hertz");
+    CHECK(fstiff::name_of(curves[2].law) == "hertz");
     CHECK(test::relative_error(*curves[2].r, 0.2) < 1e-12);  // 1/sqrt(25)
     CHECK(*curves[2].theta == 1e-3);
 }

@@ -146,16 +146,16 @@ TEST_CASE("What an answer assumes is listed where other laws are named") {
         return all;
     };
     const auto results_of_best = actions::compute(best);
-    const auto wanted = sorted(actions::assumptions_of(best, results_of_best));
+    const auto wanted = sorted(actions::assumptions_of(results_of_best));
     REQUIRE(wanted.size() >= 5);
     for (const char* law : {"hertz", "hybrid", "proportional", "plastic"}) {
         const auto read = scene::read_scene(text + "laws = [\"" + std::string(law) + "\"]\n", {.name = "x.toml"});
         const auto results = actions::compute(read);
         INFO(law);
-        CHECK(sorted(actions::assumptions_of(read, results)) == wanted);
-        const auto json = test::parsed(actions::run_document(read, results));
+        CHECK(sorted(actions::assumptions_of(results)) == wanted);
+        const auto json = test::parsed(actions::run_document(results));
         CHECK(sorted(json["assumptions"].get<std::vector<std::string>>()) == wanted);
-        const std::string shown = actions::document_of(read, results).text();
+        const std::string shown = actions::document_of(results).text();
         for (const char* part : {"hardness 2.6 GPa (1.2 GPa to 9.5 GPa)", "Hurst", "skewness", "kurtosis"})
             CHECK(contains(shown, part));
     }
@@ -170,7 +170,7 @@ TEST_CASE("What follows from K of the answer comes first, in tables and in the J
         "conductivity = \"0.026 W/(m K)\"\n";
     const auto best = scene::read_scene(text + more, {.name = "x.toml"});
     const auto json_of = [](const scene::Scene& scene) {
-        return test::parsed(actions::run_document(scene, actions::compute(scene)));
+        return test::parsed(actions::run_document(actions::compute(scene)));
     };
     const auto wanted = json_of(best)["answer"];
     const auto read = scene::read_scene(text + "laws = [\"hertz\", \"hybrid\"]\n" + more, {.name = "x.toml"});
@@ -184,8 +184,7 @@ TEST_CASE("What follows from K of the answer comes first, in tables and in the J
             CHECK(found[i][key] == wanted[i][key]);
         }
     const auto results = actions::compute(read);
-    const std::string shown = actions::document_of(read, results).text(),
-                      full = actions::document_of(read, results, true).text();
+    const std::string shown = actions::document_of(results).text(), full = actions::document_of(results, true).text();
     for (const char* table : {"\n  |R|, ", "\n  shear |R|", "\n  Kt/A0 [", "\n  loss factor", "\n  h ["}) {
         const std::size_t at = shown.find(table);
         INFO(table << shown);

@@ -35,14 +35,14 @@ const std::string contact = "[material]\nupper = \"steel\"\n[contact]\npressures
 struct Scenes {
     test::Folder folder;
     std::string file = folder.write("map.txt", text_of(map()));
-    [[nodiscard]] fstiff::actions::Results with(const std::string& keys) const {
+    [[nodiscard]] fstiff::actions::Answered with(const std::string& keys) const {
         return test::results_of(
             "[surface]\nfrom = \"map.txt\"\nunits = \"m\"\ndx = \"1 um\"\ndy = \"1 um\"\n" + keys + contact,
             folder / "scene.toml");
     }
 };
 
-std::string joined(const fstiff::actions::Results& results) {
+std::string joined(const fstiff::actions::Answered& results) {
     std::string text;
     for (const std::string& sentence : results.explanation) text += sentence + "\n";
     return text;
@@ -53,17 +53,17 @@ std::string joined(const fstiff::actions::Results& results) {
 TEST_CASE("A number that only laws of numbers take leaves a map a map") {
     const Scenes scenes;
     const auto alone = scenes.with("");
-    const auto& K = alone.answer->curve;
-    REQUIRE(K.by.front()->which == fstiff::LawName::boundary_elements);
+    const auto& K = alone.answer;
+    REQUIRE(K.points.front().law == fstiff::LawName::boundary_elements);
     for (const std::string key :
          {"hurst = 0.8", "alpha = 12", "peak_radius = \"10 um\"", "peak_density = \"20000 /mm^2\"",
           "fractal_dimension = 1.3", "r = 0.4\ntheta = \"40 deg\"", "errors = { peak_radius = \"1 um\" }"}) {
         const auto with = scenes.with(key + "\n");
         CAPTURE(key);
-        CHECK(with.answer->curve.by.front()->which == fstiff::LawName::boundary_elements);
-        CHECK(with.answer->curve.states.front().stiffness.value == K.states.front().stiffness.value);
-        CHECK(with.answer->curve.band.front().low == K.band.front().low);
-        CHECK(with.answer->curve.band.front().high == K.band.front().high);
+        CHECK(with.answer.points.front().law == fstiff::LawName::boundary_elements);
+        CHECK(with.answer.points.front().state.stiffness.value == K.points.front().state.stiffness.value);
+        CHECK(with.answer.points.front().stiffness.low == K.points.front().stiffness.low);
+        CHECK(with.answer.points.front().stiffness.high == K.points.front().stiffness.high);
         CHECK(joined(with).find("not from the heights") == std::string::npos);
     }
 }
@@ -77,7 +77,7 @@ TEST_CASE("A number that a map has itself sets it aside, and the output names it
                                      "because a bearing curve is given"}}) {
         const auto with = scenes.with(std::string(key) + "\n");
         CAPTURE(key, joined(with));
-        CHECK(with.answer->curve.by.front()->which == fstiff::LawName::plastic);
+        CHECK(with.answer.points.front().law == fstiff::LawName::plastic);
         CHECK(joined(with).find(name) != std::string::npos);
     }
 }
@@ -92,13 +92,13 @@ TEST_CASE("The numbers of a map have the gradient of all its waves, from its doc
     CHECK(document["surface"]["rms_gradient"]["value"].get<double>() < 0.9 * gradient);
     CHECK(std::abs(document["all_waves"]["rms_gradient"]["value"].get<double>() / gradient - 1) < 0.01);
     // the map in its contact has no plane, and its spectrum is that of the mirrored map
-    CHECK(std::abs(*aside.answer->curve.rms_gradient / gradient - 1) < 0.01);
-    CHECK(std::abs(*alone.answer->curve.rms_gradient / gradient - 1) < 0.1);
+    CHECK(std::abs(*aside.answer.rms_gradient / gradient - 1) < 0.01);
+    CHECK(std::abs(*alone.answer.rms_gradient / gradient - 1) < 0.1);
     scenes.folder.write("map.json", document.dump());
     const auto of_document = test::results_of("[surface]\nfrom = \"map.json\"\nskewness = 0\nkurtosis = 3\n" + contact,
                                               scenes.folder / "scene.toml");
-    const auto &a = aside.answer->curve, &b = of_document.answer->curve;
-    CHECK(std::abs(b.states.front().stiffness.value / a.states.front().stiffness.value - 1) < 1e-12);
+    const auto &a = aside.answer, &b = of_document.answer;
+    CHECK(std::abs(b.points.front().state.stiffness.value / a.points.front().state.stiffness.value - 1) < 1e-12);
     CHECK(joined(of_document).find("give the file of the map") != std::string::npos);
 }
 

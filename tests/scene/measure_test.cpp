@@ -146,8 +146,8 @@ TEST_CASE("A key next to surface.from replaces what was measured") {
     const scene::Scene measured = of(""), replaced = of("rms_height = \"2 um\"\n"),
                        summits = of("peaks = \"summits\"\n");
     CHECK(test::face(replaced).parameters.rms_height.value == 2e-6);
-    CHECK(actions::compute(replaced).curves[0].states[0].stiffness.value !=
-          actions::compute(measured).curves[0].states[0].stiffness.value);
+    CHECK(actions::compute(replaced).curves()[0].points[0].state.stiffness.value !=
+          actions::compute(measured).curves()[0].points[0].state.stiffness.value);
     CHECK(test::face(summits).parameters.peak_radius.value != test::face(measured).parameters.peak_radius.value);
 }
 

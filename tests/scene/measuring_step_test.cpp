@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K of hybrid of measured traces at every 1st to 16th point, and after filtering with lambda_s from none to 16 steps:
 // within 15 %, though R goes a hundredfold. Traces: FSTIFF_SURFACES.
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "scene/scene.hpp"
 
 #include "cli/command.hpp"
 #include "support/catch.hpp"
+#include "support/library.hpp"
 #include "support/skip.hpp"
 
 #include <algorithm>
@@ -33,9 +33,9 @@ Found found_in(const std::string& file, const std::string& lambda_s) {
     const std::string text = "[surface]\nfrom = \"" + file + "\"\nlambda_s = \"" + lambda_s + "\"\n" + rest;
     const scene::Scene scene = scene::read_scene(text, {.name = "s.toml"});
     const auto results = actions::compute(scene);
-    REQUIRE(results.curves.size() == 1);
-    Found found{scene.face.parameters.peak_radius.value, {}};
-    for (const auto& state : results.curves[0].states) found.stiffness.push_back(state.stiffness.value);
+    REQUIRE(results.curves().size() == 1);
+    Found found{scene.joint.face.parameters.peak_radius.value, {}};
+    for (const auto& state : test::states_of(results.curves()[0])) found.stiffness.push_back(state.stiffness.value);
     return found;
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("K of hybrid of a measured trace hardly depends on the step and on lam
         const std::string text = "[surface]\nfrom = \"" + (surfaces / trace.name).string() + "\"\n" + trace.keys +
                                  "detrend = \"none\"\nlambda_s = \"none\"\n" + rest;
         const scene::Scene whole = scene::read_scene(text, {.name = "s.toml"});
-        const Profile<double>& profile = whole.face.measured->profile->profile;
+        const Profile<double>& profile = whole.joint.face.measured->profile->profile;
         std::vector<Found> thinned, filtered;
         for (const std::size_t nth : {1, 2, 4, 8, 16}) {
             const std::string file = folder / (std::to_string(nth) + ".txt");

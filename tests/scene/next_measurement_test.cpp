@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The measurement that a scene advises next. Truth: the scene with that measurement written in its text, at the value
 // that was assumed, and with each of the others.
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/explanation.hpp"
 #include "support/library.hpp"
 
@@ -27,7 +27,7 @@ struct Case {
 /// K at 95 % over K at 5 % of the middle point of \p text.
 double width_of(const std::string& text) {
     const auto results = test::results_of(text);
-    const auto& band = results.answer->curve.band.at(results.answer->curve.band.size() / 2);
+    const auto& band = results.answer.points.at(results.answer.points.size() / 2).stiffness;
     return band.high / band.low;
 }
 
@@ -49,9 +49,9 @@ std::map<std::string, std::string> followed(const Case& one) {
     if (face.is_open(Unknown::hurst)) all["D or H"] = one.text(line("hurst", hurst_exponent(face)));
     if (face.is_open(Unknown::skewness))
         all["skewness"] = one.text(line("skewness", face.shape.skewness) + line("kurtosis", face.shape.kurtosis));
-    if (read.hardness_range)
+    if (read.joint.hardness_range)
         all["the hardness"] =
-            Case{one.surface, line("hardness", read.hardness_range->middle, " Pa") + one.contact}.text();
+            Case{one.surface, line("hardness", read.joint.hardness_range->middle, " Pa") + one.contact}.text();
     if (face.is_open(Unknown::height)) {
         Case by = one;
         by.surface.erase(0, by.surface.find('\n') + 1);
@@ -72,7 +72,7 @@ TEST_CASE("The measurement advised next narrows the band most of all, by the pri
                                    hardness + ("[contact]\npressures = [\"" + std::string(pressure) + "\"]\n")};
                     INFO(one.text());
                     const scene::Scene read = test::scene_of(one.text());
-                    const std::string next = actions::measure_next(read, actions::compute(read));
+                    const std::string next = actions::measure_next(actions::compute(read));
                     const double now = width_of(one.text());
                     INFO(next);
                     std::map<std::string, double> widths;
@@ -108,12 +108,12 @@ TEST_CASE("No measurement is advised where none narrows the band by a twentieth"
     const Case all{"Rq = \"1 um\"\nSdq = 0.1\nalpha = 8\nhurst = 0.8\nskewness = 0\nkurtosis = 3\n",
                    "hardness = \"infinite\"\n[contact]\npressures = [\"10 MPa\"]\n"};
     const scene::Scene read = test::scene_of(all.text());
-    CHECK(actions::measure_next(read, actions::compute(read)).empty());
+    CHECK(actions::measure_next(actions::compute(read)).empty());
     // alpha and H alone are open: K of hybrid hardly depends on them
     const Case little{"Rq = \"1 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = 3\n",
                       "hardness = \"infinite\"\n[contact]\npressures = [\"10 MPa\"]\n"};
     const scene::Scene known = test::scene_of(little.text());
-    CHECK(actions::measure_next(known, actions::compute(known)).empty());
+    CHECK(actions::measure_next(actions::compute(known)).empty());
 }
 
 TEST_CASE("A measurement that leaves no band is not advised, and loses no answer") {
@@ -124,8 +124,8 @@ TEST_CASE("A measurement that leaves no band is not advised, and loses no answer
         "[uncertainty]\nsamples = 20\n";  // R and D_p near those of islands: some drawn ones are of summits
     const scene::Scene read = test::scene_of(text);
     const auto results = actions::compute(read);
-    REQUIRE(results.answer);
-    CHECK_NOTHROW(actions::measure_next(read, results));
+    REQUIRE(results.has_answer());
+    CHECK_NOTHROW(actions::measure_next(results));
 }
 
 TEST_CASE("Two faces that both lack a number are advised to measure it of both") {
@@ -133,13 +133,13 @@ TEST_CASE("Two faces that both lack a number are advised to measure it of both")
         "[surface.upper]\nRa = \"0.8 um\"\n[surface.lower]\nRa = \"0.4 um\"\n[material]\nupper = \"steel\"\n"
         "[contact]\npressures = [\"10 MPa\"]\n";
     const scene::Scene read = test::scene_of(text);
-    const std::string next = actions::measure_next(read, actions::compute(read));
+    const std::string next = actions::measure_next(actions::compute(read));
     INFO(next);
     REQUIRE(next.starts_with("measure Sdq or Rdq of both faces: the band at 10 MPa narrows from a factor of "));
     const auto gradient = [](const detail::Face& face) { return line("Sdq", *face.rms_gradient); };
-    const double after =
-        width_of("[surface.upper]\nRa = \"0.8 um\"\n" + gradient(read.faces[0]) + "[surface.lower]\nRa = \"0.4 um\"\n" +
-                 gradient(read.faces[1]) + "[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n");
+    const double after = width_of("[surface.upper]\nRa = \"0.8 um\"\n" + gradient(read.joint.faces[0]) +
+                                  "[surface.lower]\nRa = \"0.4 um\"\n" + gradient(read.joint.faces[1]) +
+                                  "[material]\nupper = \"steel\"\n[contact]\npressures = [\"10 MPa\"]\n");
     double from = 0, to = 0;
     REQUIRE(std::sscanf(next.substr(next.find("narrows")).c_str(), "narrows from a factor of %lf to %lf", &from, &to) ==
             2);
@@ -159,9 +159,9 @@ TEST_CASE("A trace across a lay asks for a map, also where --surface takes the p
     const auto of_text = test::scene_of(text("from = \"trace.csv\"\n"), folder / "scene.toml"),
                in_place = scene::read_scene(text("Ra = \"9 um\"\n"), {.name = "scene.toml", .surface = trace});
     const auto results = actions::compute(of_text);
-    const auto& reason = results.answer->reasons.at(0);
+    const auto& reason = results.answer.points.at(0);
     CHECK(reason.causes[static_cast<std::size_t>(Cause::lay)].high > 0);
-    CHECK(actions::measure_next(of_text, results).find("measure a map: the band at 30 MPa narrows") == 0);
+    CHECK(actions::measure_next(results).find("measure a map: the band at 30 MPa narrows") == 0);
     CHECK(test::csv_of(results) == test::csv_of(actions::compute(in_place)));
 }
 

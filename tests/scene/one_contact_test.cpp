@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/one_contact.hpp"
 
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 
 #include "support/catch.hpp"
 
@@ -83,20 +82,20 @@ TEST_CASE("one contact of numbers is that of the library, bit for bit") {
 
 TEST_CASE("every contact of a scene gives the curve of the scene") {
     const scene::Scene scene = scene::read_scene(with_surface, {.name = "scene"});
-    const actions::Results results = actions::compute(scene);
+    const actions::Answered results = actions::compute(scene);
     std::size_t curve = 0;
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
         std::size_t peaks = 0;
-        for (; curve < results.curves.size() && results.curves[curve].law == scene.laws[law]; ++curve) {
+        for (; curve < results.curves().size() && results.curves()[curve].law == scene.laws[law]->which; ++curve) {
             const actions::OneContact one = actions::make_contact(scene, law, peaks++);
-            CHECK(one.law == results.curves[curve].law);
+            CHECK(one.law->which == results.curves()[curve].law);
             const auto points = one.contact->at_pressures(scene.points, Quantity::all);
             for (std::size_t i = 0; i < points.size(); ++i)
-                CHECK(points[i].state.stiffness.value == results.curves[curve].states[i].stiffness.value);
+                CHECK(points[i].state.stiffness.value == results.curves()[curve].points[i].state.stiffness.value);
         }
         CHECK_THROWS_AS(actions::make_contact(scene, law, peaks), actions::no_such_entry);
     }
-    CHECK(curve == results.curves.size());
+    CHECK(curve == results.curves().size());
     CHECK(sentence_of([&] { return actions::make_contact(scene, 3, 0); }) ==
           "law = 3: must be an entry of contact.laws");
 }
@@ -110,14 +109,15 @@ TEST_CASE("what was measured of heights replaces the surface of a scene and of n
     how.input = options;
     const surface::MeasuredSurface measured = surface::measure_surface(how, input);
     const scene::Scene scene = scene::read_scene(bodies, {.name = "scene", .measured = &measured});
-    CHECK(scene.face.parameters.rms_height.value == measured.found.rms_height.value);
-    const actions::Results results = actions::compute(scene);
+    CHECK(scene.joint.face.parameters.rms_height.value == measured.found.rms_height.value);
+    const actions::Answered results = actions::compute(scene);
     for (std::size_t law = 0; law < scene.laws.size(); ++law) {
-        const Joint joint{.face = {.measured = measured_face(measured.found)}, .effective_modulus = results.modulus};
+        const Joint joint{.face = {.measured = measured_face(measured.found)},
+                          .effective_modulus = results.answer.effective_modulus};
         const actions::OneContact one = actions::make_contact(std::string(scene.laws[law]->name), joint);
         const auto points = one.contact->at_pressures(scene.points, Quantity::stiffness);
         for (std::size_t i = 0; i < points.size(); ++i)
-            CHECK(points[i].state.stiffness.value == results.curves[law].states[i].stiffness.value);
+            CHECK(points[i].state.stiffness.value == results.curves()[law].points[i].state.stiffness.value);
     }
 }
 

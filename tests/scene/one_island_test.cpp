@@ -50,31 +50,31 @@ TEST_CASE("K of a smooth ball is that of Hertz, and R and D_p are not known: one
     const std::string file = folder.write("ball.csv", text_of(ball()));
     const std::string whole = "detrend = \"none\"\nlambda_s = \"none\"\n";
     const scene::Scene of = test::scene_of(scene_of(file, whole, "pressures = [\"1 MPa\"]\n"));
-    const actions::Results results = actions::compute(of);
-    REQUIRE(results.answer);
-    const double K = results.answer->curve.states.front().stiffness.value;
+    const actions::Answered results = actions::compute(of);
+    REQUIRE(results.has_answer());
+    const double K = results.answer.points.front().state.stiffness.value;
     // one ball on A0 = (128 4 um)^2: K = 2 E a/A0, a^3 = 3 p A0 R/(4 E); its mirror images add 10 % at a = L/25
-    const double area = std::pow(128 * side, 2), E = results.modulus, a = std::cbrt(3 * 1e6 * area * radius / (4 * E)),
-                 hertz = 2 * E * a / area;
+    const double area = std::pow(128 * side, 2), E = results.answer.effective_modulus,
+                 a = std::cbrt(3 * 1e6 * area * radius / (4 * E)), hertz = 2 * E * a / area;
     CHECK(K > hertz);
     CHECK(K < 1.15 * hertz);
     HeightMap<double> centred = ball();
     const auto exact = truth(centred, E, std::vector{1e6}, {.points = 128});
     CHECK(test::relative_error(K, exact.front().state.stiffness) < 1e-6);
-    CHECK_FALSE(of.face.has_radius_and_density());
-    CHECK(of.face.parameters.why_no_density == "one island");
+    CHECK_FALSE(of.joint.face.has_radius_and_density());
+    CHECK(of.joint.face.parameters.why_no_density == "one island");
 
-    const actions::Results named =
+    const actions::Answered named =
         test::results_of(scene_of(file, whole, "pressures = [\"1 MPa\"]\nlaws = [\"boundary_elements\", \"hertz\"]\n"));
-    CHECK(test::relative_error(named.curves.front().states.front().stiffness.value, K) < 1e-12);
+    CHECK(test::relative_error(named.curves().front().points.front().state.stiffness.value, K) < 1e-12);
     CHECK(contains(test::joined(named.warnings), "D_p is not known: one island"));
     test::check_sentence(
         test::refused_scene(scene_of(file, whole, "pressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n")),
         {"\"hertz\" needs surface.peak_radius and surface.peak_density, which are not known: one island"});
-    const actions::Results given =
+    const actions::Answered given =
         test::results_of(scene_of(file, whole + "peak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
                                   "pressures = [\"1 MPa\"]\nlaws = [\"hertz\"]\n"));
-    CHECK(given.curves.front().states.size() == 1);
+    CHECK(given.curves().front().points.size() == 1);
 }
 
 TEST_CASE("A map of one bump has all parameters but R and D_p") {
@@ -91,10 +91,10 @@ TEST_CASE("A map of one bump has all parameters but R and D_p") {
     CHECK_FALSE(contains(found["warnings"].dump(), "R and D_p come from"));
 
     const test::Folder folder;  // the JSON is a surface of a scene, as numbers
-    const actions::Results results =
+    const actions::Answered results =
         test::results_of(scene_of(folder.write("bump.json", found.dump()), "", "pressures = [\"10 MPa\"]\n"));
-    REQUIRE(results.answer);
-    CHECK(results.answer->curve.states.front().stiffness.value > 0);
+    REQUIRE(results.has_answer());
+    CHECK(results.answer.points.front().state.stiffness.value > 0);
     json without = found;
     without.erase("no_peak_density");
     test::check_sentence(
@@ -114,9 +114,9 @@ TEST_CASE("Bowls, half covered bumps and several files of a bump are measured") 
         CHECK(found["surface"].contains("rms_height"));
         CHECK(found["surface"].contains("rms_gradient"));
         CHECK(found["surface"].contains("peak_radius") == !found.contains("no_peak_density"));
-        const actions::Results results = test::results_of(
+        const actions::Answered results = test::results_of(
             scene_of(folder.write("map.csv", text), "detrend = \"mean\"\n", "pressures = [\"10 MPa\"]\n"));
-        CHECK(results.answer);
+        CHECK(results.has_answer());
     }
     HeightMap<double> other = bump();
     other.heights *= 1.1;
@@ -127,12 +127,12 @@ TEST_CASE("Bowls, half covered bumps and several files of a bump are measured") 
     // next to a rough face: the sum has neither
     const std::string rough =
         folder.write("rough.csv", test::map_text(128, side, {.hurst = 0.8, .rms = 1e-6, .longest_wavelength = 60e-6}));
-    const actions::Results sum =
+    const actions::Answered sum =
         test::results_of("material = { upper = \"steel\" }\n[surface.upper]\nfrom = '" +
                          folder.write("c.csv", text_of(bump())) + "'\n[surface.lower]\nfrom = '" + rough +
                          "'\n[contact]\npressures = [\"10 MPa\"]\n[uncertainty]\nsamples = 20\n");
-    REQUIRE(sum.answer);
-    CHECK(sum.answer->curve.states.front().stiffness.value > 0);
+    REQUIRE(sum.has_answer());
+    CHECK(sum.answer.points.front().state.stiffness.value > 0);
 }
 
 TEST_CASE("A profile without a peak is measured, and answered by the laws of its spectrum") {
@@ -146,10 +146,10 @@ TEST_CASE("A profile without a peak is measured, and answered by the laws of its
     CHECK_FALSE(found["surface"].contains("peak_density"));
     CHECK(contains(found["warnings"].dump(), "no D_p"));
     const test::Folder folder;
-    const actions::Results results = test::results_of(
+    const actions::Answered results = test::results_of(
         scene_of(folder.write("bowl.txt", text), "units = \"um\"\nspacing = \"1 um\"\n", "pressures = [\"10 MPa\"]\n"));
-    REQUIRE(results.answer);
-    CHECK(results.answer->curve.states.front().stiffness.value > 0);
+    REQUIRE(results.has_answer());
+    CHECK(results.answer.points.front().state.stiffness.value > 0);
     CHECK(results.doubtful);  // it is one parabola
 }
 

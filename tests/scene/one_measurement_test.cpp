@@ -159,8 +159,7 @@ bool is_measured(const std::filesystem::path& path) {
 /// K of \p curve and its band, step by step: the surfaces drawn about \p surface, and its neighbours, each by a
 /// contact of its own with the law \p law_of(D).
 template <class LawOf>
-void require_same_band(const actions::Curve& curve, const Surface<double>& surface, double modulus,
-                       const LawOf& law_of) {
+void require_same_band(const AnswerCurve& curve, const Surface<double>& surface, double modulus, const LawOf& law_of) {
     const std::vector<double> pressures{1e6, 1e7};
     const auto at = [&](const std::array<double, detail::surface_parameter_count>& drawn, std::size_t = 0) {
         const auto value = [&](Parameter which) { return drawn[detail::index_of(which)]; };
@@ -176,7 +175,7 @@ void require_same_band(const actions::Curve& curve, const Surface<double>& surfa
     };
     const std::vector<double> own = at(surface.values());
     const auto errors = detail::sampled_band<double>(surface, at);
-    REQUIRE(curve.states.size() == own.size());
+    REQUIRE(curve.points.size() == own.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
         double low = 0, high = 0;
         for (const Surface<double>& neighbour : surface.neighbours) {
@@ -191,10 +190,10 @@ void require_same_band(const actions::Curve& curve, const Surface<double>& surfa
             values[detail::index_of(Parameter::rms_height)] *= std::hypot(1.0, share);
             low = (std::min)(low, std::log(at(values)[i] / own[i]));
         }
-        CHECK(same(curve.states[i].stiffness.value, own[i]));
-        CHECK(test::relative_error(curve.band[i].low,
+        CHECK(same(curve.points[i].state.stiffness.value, own[i]));
+        CHECK(test::relative_error(curve.points[i].stiffness.low,
                                    own[i] * std::exp(-std::hypot(std::log(errors[i].low / own[i]), low))) < 1e-12);
-        CHECK(test::relative_error(curve.band[i].high,
+        CHECK(test::relative_error(curve.points[i].stiffness.high,
                                    own[i] * std::exp(std::hypot(std::log(errors[i].high / own[i]), high))) < 1e-12);
         CHECK(high - low > 0.001);  // so that a band without it is another
     }
@@ -266,15 +265,15 @@ TEST_CASE("K of a law that is named and its band are those of the contacts one b
             "youngs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n[contact]\n"
             "pressures = [\"1 MPa\", \"10 MPa\"]\nlaws = [\"hertz\", \"fractal\"]\n",
             folder / "scene.toml");
-        REQUIRE(results.curves.size() == 2);
+        REQUIRE(results.curves().size() == 2);
         const auto measured = [](const auto& heights) { return measure(heights); };
         const Surface<double> found = std::visit(measured, surface::read_surface_input(options).surface.data);
         REQUIRE(found.fractal_dimension);
         const double modulus = effective_modulus<double>({205e9, 0.3}, {205e9, 0.3});
         const auto hertz = [](double) { return HertzLaw<double>{}; };
         const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
-        require_same_band(results.curves[0], found, modulus, hertz);
-        require_same_band(results.curves[1], found, modulus, fractal);
+        require_same_band(results.curves()[0], found, modulus, hertz);
+        require_same_band(results.curves()[1], found, modulus, fractal);
     }
 }
 
@@ -286,12 +285,12 @@ TEST_CASE("The command and the headers find the same K of a map by hybrid") {
         "[surface]\nfrom = \"made.txt\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n"
         "[contact]\npressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\nlaws = [\"hybrid\"]\n",
         folder / "scene.toml");
-    REQUIRE(results.curves.size() == 1);
+    REQUIRE(results.curves().size() == 1);
     const auto read = surface::read_surface_input(test::surface_options("", file)).surface.data;
     const auto map = prepare(std::get<HeightMap<double>>(read), {.lambda_s = no_cut_off}).map;
     const auto contact = hybrid_of_map(map, effective_modulus<double>({205e9, 0.3}, {205e9, 0.3}));
-    REQUIRE(results.curves[0].states.size() == 3);
-    for (const ContactState<double>& state : results.curves[0].states)
+    REQUIRE(results.curves()[0].points.size() == 3);
+    for (const ContactState<double>& state : test::states_of(results.curves()[0]))
         CHECK(test::relative_error(contact.at_pressure(state.pressure.value).stiffness.value, state.stiffness.value) <
               1e-12);
 }

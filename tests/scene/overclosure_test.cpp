@@ -150,7 +150,7 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
     CHECK(
         refusal({.law = "plastic"}) ==
         "law = \"plastic\": is not a law of the scene that gives a separation; must be one of \"fractal\", \"hertz\", "
-        "\"greenwood_williamson\"");
+        "\"greenwood_williamson\", \"answer\"");
     CHECK(refusal({.peaks = 0}) == "peaks = 0: must be between 1 and 2, as many as contact.peaks has");
     CHECK(refusal({.from = 2e6, .to = 1e6}) == "until = 1000000: must be greater than from, 2e+06 Pa");
     scene::Scene one = fine();

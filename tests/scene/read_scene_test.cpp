@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contents of a scene and their messages: ranges of keys, values that contradict each other, values that were
 // assumed, files that are listed twice.
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 
 #include "cli/command.hpp"
 
@@ -54,7 +53,7 @@ std::string joined(const std::vector<std::string>& lines) {
 /// The relative width of the band of the first curve at its first point.
 double width(const std::string& text) {
     const auto results = actions::compute(read(text));
-    const auto& band = results.curves.front().band.at(0);
+    const auto& band = results.curves().front().points.at(0).stiffness;
     return std::log(band.high / band.low);
 }
 
@@ -78,14 +77,16 @@ TEST_CASE("theta written next to a measured r holds for the neighbours of lambda
         "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
     const scene::Scene measured = read(text_of(from)), theta = read(text_of(from + "theta = 1.5\n")),
                        r = read(text_of(from + "r = 0.25\n"));
-    REQUIRE(measured.face.neighbours.size() == 2);
+    REQUIRE(measured.joint.face.neighbours.size() == 2);
     for (std::size_t k = 0; k < 2; ++k) {
-        REQUIRE(measured.face.neighbours[k].parameters.r);
-        CHECK(measured.face.neighbours[k].parameters.theta->value != 1.5);
-        CHECK(theta.face.neighbours[k].parameters.theta->value == 1.5);
-        CHECK(theta.face.neighbours[k].parameters.r->value == measured.face.neighbours[k].parameters.r->value);
-        CHECK(r.face.neighbours[k].parameters.r->value == 0.25);
-        CHECK(r.face.neighbours[k].parameters.theta->value == measured.face.neighbours[k].parameters.theta->value);
+        REQUIRE(measured.joint.face.neighbours[k].parameters.r);
+        CHECK(measured.joint.face.neighbours[k].parameters.theta->value != 1.5);
+        CHECK(theta.joint.face.neighbours[k].parameters.theta->value == 1.5);
+        CHECK(theta.joint.face.neighbours[k].parameters.r->value ==
+              measured.joint.face.neighbours[k].parameters.r->value);
+        CHECK(r.joint.face.neighbours[k].parameters.r->value == 0.25);
+        CHECK(r.joint.face.neighbours[k].parameters.theta->value ==
+              measured.joint.face.neighbours[k].parameters.theta->value);
     }
 }
 
@@ -93,11 +94,11 @@ TEST_CASE("What is written next to what was measured holds for the neighbours of
     const test::Folder folder;
     const std::string from =
         "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
-    const detail::Face measured = read(text_of(from)).face,
+    const detail::Face measured = read(text_of(from)).joint.face,
                        written = read(text_of(from + "rms_height = \"2 um\"\nfractal_dimension = 1.25\nalpha = 9\n"
                                                      "hurst = 0.75\nskewness = -1\nkurtosis = 6\n"
                                                      "errors = { rms_height = \"0.5 um\" }\n"))
-                                     .face;
+                                     .joint.face;
     REQUIRE(written.neighbours.size() == 2);
     for (const detail::Face* face : {&written, &written.neighbours[0], &written.neighbours[1]}) {
         CHECK(test::relative_error(face->parameters.rms_height.value, 2e-6) < 1e-15);
@@ -122,12 +123,12 @@ TEST_CASE("Without a band nothing is measured with other lambda_s, and all else 
         return read(text_of(from, "laws = [\"hertz\"]\n[uncertainty]\nsamples = " + std::to_string(samples) + "\n"));
     };
     const scene::Scene banded = with(20), plain = with(0);
-    CHECK(banded.face.neighbours.size() == 2);
-    CHECK(plain.face.neighbours.empty());
-    CHECK(plain.face.parameters.values() == banded.face.parameters.values());
+    CHECK(banded.joint.face.neighbours.size() == 2);
+    CHECK(plain.joint.face.neighbours.empty());
+    CHECK(plain.joint.face.parameters.values() == banded.joint.face.parameters.values());
     for (const fstiff::detail::ParameterRow& row : fstiff::detail::surface_parameter_table) {
-        const auto* one = plain.face.parameters.find(row.parameter);
-        const auto* other = banded.face.parameters.find(row.parameter);
+        const auto* one = plain.joint.face.parameters.find(row.parameter);
+        const auto* other = banded.joint.face.parameters.find(row.parameter);
         REQUIRE(!one == !other);
         if (one) CHECK(one->error == other->error);
     }
@@ -146,8 +147,8 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
     const auto with = [&](const std::string& mutual) {
         return text_of(from, "laws = [\"summits\"]\n[contact.summits]\nmutual = " + mutual + "\n");
     };
-    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).law_options.mutual);
-    for (const char* no : {"false", "0"}) CHECK_FALSE(read(with(no)).law_options.mutual);
+    for (const char* yes : {"true", "1", "1.0"}) CHECK(read(with(yes)).joint.law_options.mutual);
+    for (const char* no : {"false", "0"}) CHECK_FALSE(read(with(no)).joint.law_options.mutual);
     for (const char* other : {"-1", "0.5", "1e9", "\"yes\""}) {
         INFO(other);
         CHECK(contains(refused(with(other)), "contact.summits.mutual = "));
@@ -157,12 +158,12 @@ TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
 
 TEST_CASE("The options of persson and of boundary_elements are below contact, as those of summits, or at the root") {
     for (const char* path : {"persson", "contact.persson"}) {
-        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).law_options.gamma == 0.5);
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\ngamma = 0.5\n")).joint.law_options.gamma == 0.5);
         CHECK(contains(refused(text_of(moments, "[" + std::string(path) + "]\ngamma = 2\n")),
                        std::string(path) + ".gamma = 2"));
     }
     for (const char* path : {"boundary_elements", "contact.boundary_elements"})
-        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).law_options.points == 64);
+        CHECK(read(text_of(moments, "[" + std::string(path) + "]\npoints = 64\n")).joint.law_options.points == 64);
     CHECK(contains(refused(text_of(moments, "[persson]\ngamma = 0.5\n[contact.persson]\ngamma = 0.5\n")),
                    "must not be given with contact.persson"));
     CHECK(contains(refused(text_of(moments, "persson = 3\n")), "contact.persson = 3: must be a section"));
@@ -172,13 +173,13 @@ TEST_CASE("D, its error and the Hurst exponent stay within what a surface can ha
     const auto of_dimension = [](const std::string& d) { return islands + "fractal_dimension = " + d + "\n"; };
     CHECK(contains(refused(text_of(of_dimension("1.9999999999999998"))), "greater than 1 and at most 1.99"));
     CHECK(contains(refused(text_of(of_dimension("1.995"))), "fractal_dimension = 1.995"));
-    CHECK(read(text_of(of_dimension("1.99"))).face.dimension() == 1.99);
+    CHECK(read(text_of(of_dimension("1.99"))).joint.face.dimension() == 1.99);
     const auto with_error = [&](const std::string& errors) {
         return text_of(of_dimension("1.5") + "errors = { " + errors + " }\n");
     };
     CHECK(contains(refused(with_error("fractal_dimension = 5.0")),
                    "must be at most 0.5, half the range of fractal_dimension"));
-    CHECK(read(with_error("fractal_dimension = 0.2")).face.parameters.fractal_dimension->error == 0.2);
+    CHECK(read(with_error("fractal_dimension = 0.2")).joint.face.parameters.fractal_dimension->error == 0.2);
 
     const scene::Scene odd = read(text_of(of_dimension("1.62") + "hurst = 0.8\n"));
     CHECK(contains(joined(odd.warnings),
@@ -193,7 +194,7 @@ TEST_CASE("The error of rms_gradient widens the band, of R and D_p too where the
                    "needs the value of surface.rms_gradient"));
     CHECK(contains(refused(text_of(moments + "errors = { rms_gradient = -0.01 }\n")), "not negative"));
     const std::string error = "errors = { rms_gradient = 0.02 }\n";
-    CHECK(read(text_of(moments + error)).face.gradient_error == 0.02);
+    CHECK(read(text_of(moments + error)).joint.face.gradient_error == 0.02);
     // p* falls with g: at a light load K of either law does, by R and D_p or by the spectrum
     CHECK(width(text_of(moments + error, "laws = [\"persson\"]\n")) > 0.0015);
     const double follows = width(text_of(moments + error, "laws = [\"hertz\"]\n"));
@@ -216,11 +217,11 @@ TEST_CASE("H and alpha that were assumed are among the inputs, and those that we
     const scene::Scene plain = read(text_of(spectrum, persson));
     CHECK(input(plain, "surface.hurst") == "assumed, since D is not known (default) 0.8");
     CHECK(contains(input(plain, "surface.alpha"), "of sigma, R and D_p (default) "));
-    CHECK(scene::assumed(plain).size() == 2);
+    CHECK(plain.assumed().size() == 2);
     const scene::Scene fractal = read(text_of(spectrum + "fractal_dimension = 1.4\n", persson));
     CHECK(input(fractal, "surface.hurst") == "2 - D (default) 0.6");
-    CHECK(scene::assumed(read(text_of(moments + "hurst = 0.7\n", persson))).empty());
-    CHECK(scene::assumed(read(text_of(spectrum))).empty());  // no law takes a spectrum
+    CHECK(read(text_of(moments + "hurst = 0.7\n", persson)).assumed().empty());
+    CHECK(read(text_of(spectrum)).assumed().empty());  // no law takes a spectrum
 }
 
 TEST_CASE("A file that is listed twice counts once, and both names are reported") {

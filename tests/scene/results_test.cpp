@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff::scene by itself: read_scene and compute, against the numbers that the command prints.
-#include "actions/results.hpp"
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 
 #include "cli/command.hpp"
 #include "support/accuracy.hpp"
+#include "support/library.hpp"
 
 #include "actions/identify.hpp"
 #include "actions/measured_curve.hpp"
@@ -43,20 +43,22 @@ TEST_CASE("The scenes of data/ have the numbers that fstiff run prints") {
         REQUIRE(outcome.status == (results.doubtful ? 4 : 0));
         const test::Csv printed(outcome.out);
         std::size_t row = 0, differences = 0, compared = 0;
-        REQUIRE(results.answer);
-        std::vector<const actions::Curve*> curves{&results.answer->curve};
-        for (const auto& curve : results.curves) curves.push_back(&curve);
-        for (const actions::Curve* curve : curves)
-            for (std::size_t i = 0; i < curve->states.size(); ++i, ++row) {
-                differences += printed.text(row, "law") != curve->law->name;
+        REQUIRE(results.has_answer());
+        std::vector<const AnswerCurve*> curves{&results.answer};
+        for (const auto& curve : results.curves()) curves.push_back(&curve);
+        for (const AnswerCurve* curve : curves)
+            for (const AnswerPoint& point : curve->points) {
+                differences += printed.text(row, "law") != name_of(point.law);
                 differences += printed.text(row, "answer") != (curve == curves.front() ? "1" : "0");
-                for (const auto& column : curve->columns) {
-                    if (column.values.empty())  // not given by this law
+                for (const scene::NumberOf& column : results.scene->columns(true)) {
+                    const double value = column.part.starts_with("_p") && !curve->has_band ? NAN : column(point);
+                    if (std::isnan(value))  // not given by this law
                         differences += !printed.text(row, column.key()).empty();
                     else
-                        differences += printed.number(row, column.key()) != column.values[i];  // 17 digits are exact
+                        differences += printed.number(row, column.key()) != value;  // 17 digits are exact
                     ++compared;
                 }
+                ++row;
             }
         CHECK(row == printed.size());
         CHECK(compared >= 7 * row);
@@ -76,19 +78,16 @@ TEST_CASE("Every column of a curve names its unit and has a value a point") {
         ++calls;
     });
     CHECK(calls > 0);
-    REQUIRE(results.curves.size() == 5);
-    for (const auto& curve : results.curves) {
-        REQUIRE(curve.columns.size() == results.curves.front().columns.size());
-        for (std::size_t k = 0; k < curve.columns.size(); ++k) {
-            CHECK(curve.columns[k].key() == results.curves.front().columns[k].key());
-            CHECK(curve.columns[k].values.size() == 2);
+    REQUIRE(results.curves().size() == 5);
+    for (const auto& curve : results.curves()) {
+        REQUIRE(curve.points.size() == 2);
+        for (const scene::NumberOf& column : read.columns(true)) {
+            INFO(column.key());
+            CHECK((column.quantity->unit.empty() || !column.quantity->suffix.empty()));
+            CHECK(std::isfinite(column(curve.points[0])));
+            CHECK(std::isfinite(column(curve.points[1])));
         }
-        const auto& columns = curve.columns;
-        const auto stiffness = std::find_if(columns.begin(), columns.end(),
-                                            [](const auto& one) { return one.key() == "stiffness_p05_Pa_per_m"; });
-        REQUIRE(stiffness != columns.end());
-        CHECK(stiffness->row().unit == "Pa/m");
-        CHECK(stiffness->values[0] == curve.band[0].low);
+        CHECK(test::value_at(curve, 0, "stiffness", "_p05") == curve.points[0].stiffness.low);
     }
 }
 
@@ -96,16 +95,17 @@ TEST_CASE("Interaction makes every law softer, Greenwood and Williamson's too, a
     const std::string interaction = "interaction = { reading = \"effective_separation\", length = \"nominal\" }\n";
     const auto alone = actions::compute(scene::read_scene(text_of(three_laws), {.name = "short.toml"}));
     const auto with = actions::compute(scene::read_scene(text_of(three_laws + interaction), {.name = "short.toml"}));
-    REQUIRE(alone.curves.size() == with.curves.size());
+    REQUIRE(alone.curves().size() == with.curves().size());
     const double length = std::sqrt(195e-6);
-    for (std::size_t c = 0; c < with.curves.size(); ++c)
+    for (std::size_t c = 0; c < with.curves().size(); ++c)
         for (std::size_t i = 0; i < 2; ++i) {
-            INFO(actions::title(with.curves[c]));
-            const double k = with.curves[c].states[i].stiffness.value;
-            CHECK(k < alone.curves[c].states[i].stiffness.value);
-            if (with.curves[c].law->name != "greenwood_williamson") continue;
+            INFO(actions::title(with.curves()[c]));
+            const double k = with.curves()[c].points[i].state.stiffness.value;
+            CHECK(k < alone.curves()[c].points[i].state.stiffness.value);
+            if (fstiff::name_of(with.curves()[c].law) != "greenwood_williamson") continue;
             // two springs in series: 1/K' = 1/K + L/E, and K = -dp/dd for Hertzian peaks
-            const double series = 1 / (1 / alone.curves[c].states[i].stiffness.value + length / with.modulus);
+            const double series =
+                1 / (1 / alone.curves()[c].points[i].state.stiffness.value + length / with.answer.effective_modulus);
             CHECK(std::abs(k / series - 1) < 1e-9);
         }
     CHECK(std::none_of(with.warnings.begin(), with.warnings.end(),
@@ -153,6 +153,21 @@ TEST_CASE("Values of a scene that make no peak radius, or have a decimal comma, 
           "f:3: surface.rms_height = \"0,8 um\": has a comma; the decimal mark is the point, as in 0.8");
 }
 
+TEST_CASE("The pressure of the spots is the load over the real area, the hardness of a light plastic contact") {
+    const auto found = test::results_of(
+        "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.3\n[material.upper]\nname = \"steel\"\nhardness = \"1 "
+        "GPa\"\n"
+        "[contact]\npressures = [\"1 MPa\", \"10 MPa\"]\n[output]\nquantities = [\"stiffness\", \"spot_pressure\"]\n");
+    for (const AnswerPoint& point : found.answer.points) {
+        const double area = point.state.real_area_fraction.value;
+        CHECK(test::relative_error(point["spot_pressure"], point.pressure / area) < 1e-15);
+        CHECK(point["spot_pressure"] <= 1e9);
+        CHECK(point["spot_pressure"] > 0.98e9);  // H/(E g) = 0.03: p/sqrt(1/H^2 + 4/(E g)^2), nearly
+    }
+    const nlohmann::json row = test::parsed(actions::run_document(found))["answer"][0];
+    CHECK(row["spot_pressure_Pa"] == found.answer.points[0]["spot_pressure"]);
+}
+
 TEST_CASE("The explanation and the warnings do not depend on the columns asked for") {
     const auto said = [](const std::string& quantities) {
         const std::string text = test::replaced(text_of("laws = [\"hertz\"]\n"), "195 mm^2", "0.01 mm^2");
@@ -172,14 +187,16 @@ TEST_CASE("All curves of a scene and its answer have one p*") {
     const auto check = [](const std::string& from, const std::string& to, double gradient, std::size_t curves) {
         const std::string text = test::replaced(text_of("laws = [\"hertz\", \"greenwood_williamson\"]\n"), from, to);
         const auto results = actions::compute(scene::read_scene(text, {.name = "f"}));
-        REQUIRE(results.curves.size() == curves);
-        for (const auto& curve : results.curves) {
-            REQUIRE(curve.rms_gradient);
-            CHECK(test::relative_error(*curve.rms_gradient, gradient) < 1e-9);
+        REQUIRE(results.curves().size() == curves);
+        for (const auto& curve : results.curves()) {
+            const AnswerPoint& point = curve.points.front();
+            REQUIRE(point.p_star);
+            CHECK(test::relative_error(*point.p_star, point.pressure / (results.answer.effective_modulus * gradient)) <
+                  1e-9);
         }
-        REQUIRE(results.answer);
-        CHECK(test::relative_error(results.answer->reasons[0].p_star.value(), 1e6 / (results.modulus * gradient)) <
-              1e-9);
+        REQUIRE(results.has_answer());
+        CHECK(test::relative_error(results.answer.points[0].p_star.value(),
+                                   1e6 / (results.answer.effective_modulus * gradient)) < 1e-9);
     };
     const double curvature = 3 * std::sqrt(3.141592653589793) / (8 * 60e-6), sigma = 1e-6;
     // R and D_p that no Gaussian surface has: those of islands
@@ -201,7 +218,7 @@ TEST_CASE(
         of.listed = !range;
         of.points = std::move(values);
         of.at_separations = separations;
-        return scene::points_of_answer(of);
+        return of.points_of_answer();
     };
     using Indices = std::vector<std::size_t>;
     CHECK(points({1e7, 1e6, 1e8, 3e6}, false) == Indices{0, 1, 2, 3});
@@ -225,7 +242,7 @@ TEST_CASE("Every law of the table has a name, its equations and a contact, and i
             continue;  // tests/scene/laws_test.cpp
         const auto read =
             scene::read_scene(text_of("laws = [\"" + std::string(law.name) + "\"]\n"), {.name = "x.toml"});
-        CHECK(actions::compute(read).curves.size() == (law.has_peaks ? 2 : 1));
+        CHECK(actions::compute(read).curves().size() == (law.has_peaks ? 2 : 1));
     }
     CHECK(detail::find_law("no law") == nullptr);
 }
@@ -236,7 +253,7 @@ TEST_CASE("A scene is identified from a curve without a command line") {
                                         {.name = "short.toml"});
     const auto results = actions::compute(read);
     std::string file = "pressure [Pa],stiffness [Pa/m]\n";
-    for (const auto& state : results.curves[0].states)
+    for (const auto& state : test::states_of(results.curves()[0]))
         file += document::exact(state.pressure.value) + "," + document::exact(2 * state.stiffness.value) + "\n";
     const auto curve = actions::read_measured_curve(folder.write("k.csv", file));
     const auto found = actions::identify(read, curve, {.wanted = {fstiff::Parameter::rms_height}});
@@ -252,7 +269,7 @@ TEST_CASE("A gradient that no surface has is a warning of a wrong unit, and a do
         text.replace(text.find(from), from.size(), to);
         return actions::compute(scene::read_scene(text, {.name = "short.toml"}));
     };
-    const auto warns = [](const actions::Results& results, const std::string& part) {
+    const auto warns = [](const actions::Answered& results, const std::string& part) {
         return std::count_if(results.warnings.begin(), results.warnings.end(), [&](const std::string& line) {
             return test::contains(line, part) && test::contains(line, "a unit of its lengths is likely wrong");
         });

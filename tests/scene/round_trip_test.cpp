@@ -42,7 +42,7 @@ std::string text_of(const std::vector<request::Input>& inputs) {
     return text;
 }
 
-void check_same_rows(const actions::Results& a, const actions::Results& b) {
+void check_same_rows(const actions::Answered& a, const actions::Answered& b) {
     CHECK(test::csv_of(a) == test::csv_of(b));
 }
 

@@ -70,7 +70,7 @@ TEST_CASE("Only the columns that were asked for are printed") {
         const auto results = test::results_of(text);
         CHECK(test::lines(test::csv_of(results)).front() == always + expected);
         fstiff::document::Json rows;
-        fstiff::actions::point_rows(results, results.curves.front()).append_to(rows);
+        fstiff::actions::point_rows(*results.scene, results.curves().front(), results.has_band()).append_to(rows);
         CHECK(test::parsed(rows)[0].contains("stiffness_Pa_per_m") == test::contains(quantities, "stiffness"));
     }
 }
@@ -157,7 +157,7 @@ TEST_CASE("A real area above the nominal one is computed, and doubted") {
     const auto results = test::results_of(test::scene_with(
         "sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}}));
     CHECK(results.doubtful);
-    CHECK(results.curves[0].states[0].real_area_fraction.value > 1);
+    CHECK(results.curves()[0].points[0].state.real_area_fraction.value > 1);
     CHECK(test::contains(test::joined(results.warnings), "real area exceeds the nominal area"));
     CHECK(test::contains(test::joined(results.warnings), "separation is below 0"));
 }

@@ -44,7 +44,7 @@ TEST_CASE("Each row of the scales is the measurement and the K with its cut-offs
                 "poisson_ratio = 0.0\n[contact]\npressures = [\"20 MPa\"]\nlaws = [\"" +
                     scales.law + "\"]\n[uncertainty]\nsamples = 0\n",
                 folder / "scene.toml");
-            CHECK(std::abs(*row.stiffness / results.curves[0].states[0].stiffness.value - 1) < 1e-9);
+            CHECK(std::abs(*row.stiffness / results.curves()[0].points[0].state.stiffness.value - 1) < 1e-9);
             ++checked;
         }
     CHECK(checked > 8);

@@ -80,7 +80,7 @@ TEST_CASE("A fluid film is a spring next to K for longitudinal waves, and none f
         CHECK(wet.number(i, "shear_reflection") == dry.number(i, "shear_reflection"));
     }
     const auto scene = test::scene_of(without + section + text);
-    auto json = run_document(scene, fstiff::actions::compute(scene));
+    auto json = run_document(fstiff::actions::compute(scene));
     CHECK(test::contains(json["ultrasound"].str(), "\"film_stiffness_Pa_per_m\": 1.46666666666666"));
 }
 
@@ -130,10 +130,10 @@ TEST_CASE("The band of R is that of K") {
 
 TEST_CASE("A scene holds the waves of its section, and what was written of them") {
     const auto scene = test::scene_of(without + section);
-    REQUIRE(scene.ultrasound);
-    CHECK(scene.ultrasound->frequency == 7e6);
-    REQUIRE(scene.ultrasound->shear);
-    CHECK(scene.ultrasound->shear->incident == 7850 * 3200.0);
+    REQUIRE(scene.joint.ultrasound);
+    CHECK(scene.joint.ultrasound->frequency == 7e6);
+    REQUIRE(scene.joint.ultrasound->shear);
+    CHECK(scene.joint.ultrasound->shear->incident == 7850 * 3200.0);
     const auto input = [&](const std::string& key) {
         return std::find_if(scene.inputs.begin(), scene.inputs.end(), [&](const auto& one) { return one.key == key; });
     };

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // K of hybrid of a map at every 1st, 2nd, 4th and 8th of its points along both sides, by the map itself and by its
 // numbers: of measured maps (FSTIFF_SURFACES) and of a broad Gaussian one.
-#include "actions/compute.hpp"
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "scene/scene.hpp"
 
 #include "cli/command.hpp"
@@ -47,10 +46,10 @@ std::vector<double> spreads(const HeightMap<double>& map, const std::string& spe
         }
         const auto results =
             actions::compute(scene::read_scene(scene_of(file, "detrend = \"none\"\n", spectrum), {.name = "s.toml"}));
-        REQUIRE(results.curves.size() == 1);
-        REQUIRE(results.curves[0].states.size() == 3);
+        REQUIRE(results.curves().size() == 1);
+        REQUIRE(results.curves()[0].points.size() == 3);
         for (std::size_t i = 0; i < 3; ++i) {
-            const double K = results.curves[0].states[i].stiffness.value;
+            const double K = results.curves()[0].points[i].state.stiffness.value;
             least[i] = std::min(least[i], K), most[i] = std::max(most[i], K);
         }
     }
@@ -68,7 +67,7 @@ TEST_CASE("K of hybrid of the numbers of a measured map hardly depends on the st
         CAPTURE(name);
         const scene::Scene whole =
             scene::read_scene(scene_of((surfaces / name).string(), "", "moments"), {.name = "s.toml"});
-        const std::vector<double> found = spreads(whole.face.measured->map->map, "moments");
+        const std::vector<double> found = spreads(whole.joint.face.measured->map->map, "moments");
         CAPTURE(found[0], found[1], found[2]);
         CHECK(found[0] < most);
         CHECK(found[1] < most);

@@ -45,11 +45,11 @@ TEST_CASE("Two equal faces are one of sqrt(2) the heights, with the same peaks a
                    "[surface]\nrms_height = \"1.1313708498984762 um\"\npeak_radius = \"28.284271247461902 um\"\n"
                    "peak_density = \"900 /mm^2\"\nfractal_dimension = 1.3\nr = 0.5\ntheta = 0.6\n" +
                    rest);
-    REQUIRE(two.curves.size() == one.curves.size());
-    for (std::size_t c = 0; c < two.curves.size(); ++c)
+    REQUIRE(two.curves().size() == one.curves().size());
+    for (std::size_t c = 0; c < two.curves().size(); ++c)
         for (std::size_t i = 0; i < 2; ++i) {
-            const double truth = one.curves[c].states[i].stiffness.value;
-            CHECK(std::abs(two.curves[c].states[i].stiffness.value - truth) < 1e-10 * truth);
+            const double truth = one.curves()[c].points[i].state.stiffness.value;
+            CHECK(std::abs(two.curves()[c].points[i].state.stiffness.value - truth) < 1e-10 * truth);
         }
 }
 
@@ -104,8 +104,8 @@ TEST_CASE("Two maps: what is measured of both adds up to what is measured of the
                 ++compared;
             }
     CHECK(compared == 3);
-    CHECK(added.faces.at(0).parameters.rms_height.value > 0.9e-6);
-    CHECK(added.faces.at(1).parameters.rms_height.value < 0.7e-6);
+    CHECK(added.joint.faces.at(0).parameters.rms_height.value > 0.9e-6);
+    CHECK(added.joint.faces.at(1).parameters.rms_height.value < 0.7e-6);
 }
 
 TEST_CASE("Wrong keys of two faces are reported in one sentence") {

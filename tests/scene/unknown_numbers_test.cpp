@@ -36,7 +36,7 @@ TEST_CASE("The number whose written error makes the band is what to measure next
             errors +
             " }\n[material.upper]\nname = \"steel\"\nhardness = \"0.5 GPa\"\n"
             "[contact]\npressures = [\"10 MPa\"]\n";
-        return fstiff::actions::measure_next(test::scene_of(text), test::results_of(text));
+        return fstiff::actions::measure_next(test::results_of(text));
     };
     CHECK(next("rms_height = \"0.4 um\"").starts_with("measure Rq or Sq: the band at 10 MPa narrows"));
     CHECK(next("rms_gradient = 0.05").starts_with("measure Sdq or Rdq: the band at 10 MPa narrows"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No pressure is lost without a sentence and a doubtful result, and no sentence contradicts the numbers above it.
 // Truth: limits worked by hand (0.75 E g, the hardness), and the columns themselves.
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/explanation.hpp"
 #include "support/csv.hpp"
 #include "support/library.hpp"
@@ -25,9 +25,9 @@ std::string text_of(double g, const std::string& upper, const std::string& conta
 
 const std::string never = "hardness = \"infinite\"\n";
 
-std::string warned(const actions::Results& results) { return test::joined(results.warnings); }
+std::string warned(const actions::Answered& results) { return test::joined(results.warnings); }
 
-std::string cell(const actions::Results& results, const std::string& column, std::size_t row) {
+std::string cell(const actions::Answered& results, const std::string& column, std::size_t row) {
     std::istringstream csv(test::csv_of(results));
     std::string line;
     std::getline(csv, line);
@@ -70,15 +70,15 @@ TEST_CASE("A pressure above the hardness is lost with a sentence, whichever laws
             text_of(0.1, "hardness = \"20 MPa\"\n", laws + std::string("pressures = [\"1 MPa\", \"25 MPa\"]\n")));
         INFO(laws << warned(partly));
         CHECK(partly.doubtful);
-        REQUIRE(partly.answer.has_value());
-        CHECK(partly.answer->curve.states.size() == 1);
+        REQUIRE(partly.has_answer());
+        CHECK(actions::count_of(partly.answer) == 1);
         CHECK(contains(warned(partly), "25 MPa is above the hardness (20 MPa): the contact is closed"));
         if (!*laws) continue;
         const auto whole =
             test::results_of(text_of(0.1, "hardness = \"20 MPa\"\n", laws + std::string("pressures = [\"25 MPa\"]\n")));
         INFO(warned(whole));
         CHECK(whole.doubtful);
-        CHECK_FALSE(whole.answer.has_value());
+        CHECK_FALSE(whole.has_answer());
         CHECK(contains(warned(whole), "the answer has no K: "));
         CHECK(contains(warned(whole), "25 MPa is above the hardness (20 MPa)"));
     }
@@ -86,7 +86,7 @@ TEST_CASE("A pressure above the hardness is lost with a sentence, whichever laws
 
 TEST_CASE("A pressure without a K keeps its row in the summary") {
     const scene::Scene read = test::scene_of(text_of(0.01, "", "pressures = [\"10 MPa\", \"2 GPa\", \"100 MPa\"]\n"));
-    const auto table = actions::answer_table(read, actions::compute(read));
+    const auto table = actions::answer_table(actions::compute(read));
     REQUIRE(table.size() == 4);
     CHECK(table[2][0] == "2 GPa");
     CHECK(table[2][1] == "-");
@@ -122,8 +122,8 @@ TEST_CASE("No loading stiffness is above that of unloading") {
                 quantity;
             const auto results = test::results_of(text);
             for (std::size_t i = 0; i < 3; ++i) {
-                const auto& state = results.answer->curve.states[i];
-                CHECK(results.answer->reasons[i].loading_stiffness.value() <= state.stiffness.value);
+                const auto& state = results.answer.points[i].state;
+                CHECK(results.answer.points[i].loading_stiffness.value() <= state.stiffness.value);
                 if (*quantity)
                     CHECK(std::stod(cell(results, "loading_stiffness_Pa_per_m", i)) <=
                           std::stod(cell(results, "stiffness_Pa_per_m", i)));
@@ -181,7 +181,7 @@ TEST_CASE("A band outside of which nothing is left to give asks for nothing") {
         const scene::Scene read =
             test::scene_of("[surface]\nfrom = '" + folder / "map.csv" +
                            "'\n[material]\nupper = \"steel\"\n[contact]\n" + area + "pressures = [\"100 MPa\"]\n");
-        return actions::outside_band(read, actions::compute(read));
+        return actions::outside_band(actions::compute(read));
     };
     CHECK(contains(outside(""), "other parts of the face (give contact.nominal_area)"));
     for (const char* area : {"1e-3 mm^2", "4.096e-3 mm^2", "0.1 mm^2"})
@@ -208,7 +208,7 @@ TEST_CASE("Refusals of keys name one place, and options of a law are checked wit
 TEST_CASE("Laws without a band name the reason that holds") {
     const auto why = [](const std::string& surface, const std::string& rest) {
         const scene::Scene read = test::scene_of("[surface]\n" + surface + "[material]\nupper = \"steel\"\n" + rest);
-        return actions::why_no_band(read, actions::compute(read));
+        return actions::why_no_band(actions::compute(read));
     };
     const std::string hertz = "[contact]\nlaws = [\"hertz\"]\npressures = [\"1 MPa\"]\n",
                       peaks = "rms_height = \"1 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n";

@@ -3,11 +3,10 @@
 // Work of the command on a file or a scene, done by the library in this process: options as they are written on a
 // command line, results as JSON, rows or the sentence of a refusal. FSTIFF_SCENES is the folder of the scenes, set by
 // CMake.
-#include "actions/compute.hpp"
+#include "actions/answered.hpp"
 #include "actions/fractal.hpp"
 #include "actions/islands.hpp"
 #include "actions/measure.hpp"
-#include "actions/results.hpp"
 #include "actions/run.hpp"
 #include "surface/measured_surface.hpp"
 #include "surface/surface_option_table.hpp"
@@ -144,22 +143,39 @@ inline fstiff::scene::Scene scene_of(const std::string& text, const std::string&
     return fstiff::scene::read_scene(text, {.name = file});
 }
 
-inline fstiff::actions::Results results_of(const std::string& text, const std::string& file = "scene.toml") {
+inline fstiff::actions::Answered results_of(const std::string& text, const std::string& file = "scene.toml") {
     return fstiff::actions::compute(scene_of(text, file));
 }
 
 /// The face of \p scene that a smooth one meets.
-inline const fstiff::detail::Face& face(const fstiff::scene::Scene& scene) { return scene.face; }
-inline fstiff::detail::Face& face(fstiff::scene::Scene& scene) { return scene.face; }
+inline const fstiff::detail::Face& face(const fstiff::scene::Scene& scene) { return scene.joint.face; }
+inline fstiff::detail::Face& face(fstiff::scene::Scene& scene) { return scene.joint.face; }
 /// The measured surface of a scene with one rough face.
 inline const fstiff::surface::MeasuredSurface& measured_of(const fstiff::scene::Scene& scene) {
     return *scene.measured.front();
 }
 
+/// The states of the points of \p curve that have one.
+inline std::vector<fstiff::ContactState<double>> states_of(const fstiff::AnswerCurve& curve) {
+    std::vector<fstiff::ContactState<double>> states;
+    for (const fstiff::AnswerPoint& point : curve.points)
+        if (point.ok()) states.push_back(point.state);
+    return states;
+}
+/// The number of \p curve at \p place that CSV has under the quantity \p word with \p part; none where it has none.
+inline std::optional<double> value_at(const fstiff::AnswerCurve& curve, std::size_t place, std::string_view word,
+                                      std::string_view part = "") {
+    const fstiff::AnswerPoint* point = curve.at(place);
+    if (!point || (part.starts_with("_p") && !curve.has_band)) return std::nullopt;
+    const double value = fstiff::scene::NumberOf{&fstiff::detail::quantity_called(word), part}(*point);
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
 /// CSV output of fstiff run.
-inline std::string csv_of(const fstiff::actions::Results& results) {
+inline std::string csv_of(const fstiff::actions::Answered& answered) {
     std::string text;
-    for (const auto& curve : results.curves) text += fstiff::actions::point_rows(results, curve).csv(text.empty());
+    for (const auto& curve : answered.curves())
+        text += fstiff::actions::point_rows(*answered.scene, curve, answered.has_band()).csv(text.empty());
     return text;
 }
 

@@ -8,10 +8,11 @@
 
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/answer_curve_inline.hpp>
+#include <fstiff/answer/answer_of.hpp>
+#include <fstiff/answer/answer_quantity_inline.hpp>
 #include <fstiff/answer/bands_inline.hpp>
 #include <fstiff/answer/concerns_inline.hpp>
 #include <fstiff/answer/curves_inline.hpp>
-#include <fstiff/answer/derived_inline.hpp>
 #include <fstiff/answer/face_inline.hpp>
 #include <fstiff/answer/lacks_inline.hpp>
 #include <fstiff/answer/law_rows_inline.hpp>
@@ -23,12 +24,17 @@
 #include <fstiff/answer/unknowns_inline.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
-#include <fstiff/tabulated/tangential_law.hpp>
-#include <fstiff/wave/spring_interface.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -44,120 +50,247 @@ FSTIFF_INLINE std::vector<AssumedNumber> assumed_of(const ResolvedJoint& problem
     return numbers;
 }
 
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
 FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
     return {.gamma = options.gamma, .points = options.grid, .edges = options.edges};
 }
 
-/// What follows from K of the state \p i of \p curve, into \p point.
-FSTIFF_INLINE void derive(const ResolvedJoint& problem, const LawCurve& curve, std::size_t i, AnswerPoint& point) {
-    const ContactState<double>& state = curve.states[i];
-    const auto put = [&](Derived quantity, std::optional<Banded>& into) {
-        if (!can_derive(quantity, problem) || (quantity == Derived::loss_factor && curve.log_slopes.empty())) return;
-        const auto bound = [&](double K, BandEnd end) {
-            ContactState<double> other = state;
-            if (end != BandEnd::value) other.stiffness = {K, 0};
-            return derived(quantity, problem, curve, i, other, end).value;
-        };
-        const double low = falls(quantity) ? point.stiffness.high : point.stiffness.low,
-                     high = falls(quantity) ? point.stiffness.low : point.stiffness.high;
-        into = {bound(low, BandEnd::low), bound(point.stiffness.value, BandEnd::value), bound(high, BandEnd::high)};
-    };
-    put(Derived::tangential_stiffness, point.tangential_stiffness);
-    put(Derived::loss_factor, point.loss_factor);
-    put(Derived::reflection, point.reflection);
-    put(Derived::shear_reflection, point.shear_reflection);
-    put(Derived::thermal_conductance, point.thermal_conductance);
-    put(Derived::electrical_conductance, point.electrical_conductance);
-    if (problem.conduction.gap && detail::has(curve.law->quantities, Quantity::separation))
-        point.gap_conductance = conductance_of_gap(problem.conduction, state.separation.value);
-}
-
-/// The points of \p curve at \p pressures.
-FSTIFF_INLINE std::vector<AnswerPoint> points_of(const ResolvedJoint& problem, const LawCurve& curve,
-                                                 std::span<const double> pressures) {
-    std::vector<AnswerPoint> points(pressures.size());
-    for (const MissedPoint& missed : curve.missed)
-        points[missed.place] = {.pressure = pressures[missed.place],
-                                .reason = reason_of(problem, missed, pressures[missed.place], [](double pressure) {
-                                    return detail::rounded_text(pressure, 3) + " Pa";
-                                })};
-    for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        AnswerPoint& point = points[curve.places[i]];
-        const double K = curve.states[i].stiffness.value;
-        point.pressure = pressures[curve.places[i]];
-        point.stiffness = curve.band.empty() ? Banded{K, K, K} : Banded{curve.band[i].low, K, curve.band[i].high};
-        point.law = curve.law_at(i).which;
-        if (!curve.separation_at_seating.empty())
-            point.approach = curve.separation_at_seating[i] - curve.states[i].separation.value;
-        derive(problem, curve, i, point);
-    }
-    return points;
-}
-
-FSTIFF_INLINE void require_options(std::span<const double> pressures, const AnswerOptions& options) {
-    if (pressures.empty()) throw domain_error("pressures: must have at least one");
-    for (const double p : pressures) require_positive("pressure", p);
+FSTIFF_INLINE void require_options(std::span<const double> points, const AnswerOptions& options) {
+    if (points.empty()) throw domain_error("pressures: must have at least one");
+    if (!options.at_separations)
+        for (const double p : points) require_positive("pressure", p);
     require_positive("seating", options.seating);
     require(options.samples == 0 || (options.samples >= 20 && options.samples <= 100000), "samples", options.samples,
             "0, or from 20 to 100000");
+    for (const std::size_t place : options.places)
+        require(place < points.size(), "places", place, "below the number of points");
 }
 
-/// Whether the separation enters what is asked or checked: mean planes cross at half of the hardness and above.
-FSTIFF_INLINE bool needs_separation(const ResolvedJoint& problem, std::span<const double> pressures,
-                                    const AnswerOptions& options) {
-    return options.approach || problem.conduction.gap || problem.face.map ||
-           problem.face.parameters.max_peak_height.value > 0 ||
-           !(*std::max_element(pressures.begin(), pressures.end()) < hardness_of(problem) / 2);
+/// The quantities of \p options, in the order of the table.
+FSTIFF_INLINE std::vector<const AnswerQuantity*> quantities_of(const ResolvedJoint& joint,
+                                                               const AnswerOptions& options) {
+    constexpr std::array<std::string_view, 8> members{"nominal_area",       "waves",
+                                                      "waves.shear",        "friction.amplitude",
+                                                      "conduction.thermal", "conduction.electrical",
+                                                      "conduction.gap",     "elastic constants of both bodies"};
+    for (const std::string& word : options.quantities)
+        if (const auto need = lack_of(quantity_called(word, "quantities"), joint); need != AnswerQuantity::nothing)
+            throw domain_error(Refusal{
+                .parameter = "quantities",
+                .value = "\"" + word + "\"",
+                .reason = "needs " + std::string(members[static_cast<std::size_t>(std::countr_zero(unsigned{need}))])});
+    std::vector<const AnswerQuantity*> quantities;
+    for (const AnswerQuantity& quantity : answer_quantities())
+        if (options.quantities.empty()
+                ? lack_of(quantity, joint) == AnswerQuantity::nothing
+                : std::count(options.quantities.begin(), options.quantities.end(), quantity.word) > 0)
+            quantities.push_back(&quantity);
+    return quantities;
+}
+
+/// What the laws that are named must give for \p quantities of \p joint.
+FSTIFF_INLINE Quantity of_laws(const ResolvedJoint& joint, const std::vector<const AnswerQuantity*>& quantities,
+                               bool checked) {
+    Quantity all = Quantity::pressure | Quantity::separation;
+    for (const AnswerQuantity* quantity : quantities) all = all | quantity->of_law;
+    if (checked) all = all | Quantity::contact_density;
+    if (has(all, Quantity::contact_density) || joint.conduction.thermal_film > 0 ||
+        joint.conduction.electrical_film > 0)
+        all = all | Quantity::real_area_fraction;
+    return all;
+}
+
+/// Whether the separation enters what is asked of the answer or checked: mean planes cross at half of the hardness and
+/// above.
+FSTIFF_INLINE bool needs_separation(const ResolvedJoint& joint, std::span<const double> points,
+                                    const AnswerOptions& options,
+                                    const std::vector<const AnswerQuantity*>& quantities) {
+    return options.at_separations || joint.face.map || joint.face.parameters.max_peak_height.value > 0 ||
+           std::any_of(quantities.begin(), quantities.end(),
+                       [](const auto* each) { return each->of_law == Quantity::separation; }) ||
+           !(*std::max_element(points.begin(), points.end()) < hardness_of(joint) / 2);
+}
+
+/// What \p options ask of \p joint at \p points.
+FSTIFF_INLINE Request request_of(const ResolvedJoint& joint, std::span<const double> points,
+                                 const AnswerOptions& options, const std::vector<const AnswerQuantity*>& quantities,
+                                 bool checked) {
+    const auto wants = [&](std::string_view word) {
+        return std::any_of(quantities.begin(), quantities.end(), [&](const auto* each) { return each->word == word; });
+    };
+    Request request{.points = {points.begin(), points.end()},
+                    .at_separations = options.at_separations,
+                    .answered = options.places,
+                    .approach = wants("approach"),
+                    .log_slopes = std::any_of(quantities.begin(), quantities.end(),
+                                              [](const auto* each) { return (each->needs & each->slip) != 0; }),
+                    .separation = needs_separation(joint, points, options, quantities),
+                    .seating = options.seating,
+                    .samples = options.samples,
+                    .seed = options.seed,
+                    .solves_map = options.solve_map,
+                    .answers = !options.laws_alone,
+                    .checked = checked,
+                    .parallel = options.parallel};
+    if (request.answered.empty())
+        for (std::size_t i = 0; i < points.size(); ++i) request.answered.push_back(i);
+    for (const ChosenLaw& law : options.laws)  // contacts that are there are of laws that are possible
+        request.laws.push_back(checked ? &possible_law(law, joint, options.at_separations) : &law.row());
+    if (!options.quantities.empty()) request.quantities = of_laws(joint, quantities, checked);
+    return request;
+}
+
+/// The number of \p quantity at the state \p i of \p curve, with the ends of its band; none where its law has none.
+FSTIFF_INLINE std::optional<AnswerPoint::Value> value_of(const AnswerQuantity& quantity, const ResolvedJoint& joint,
+                                                         const LawCurve& curve, std::size_t i) {
+    if (quantity.of_law != Quantity::none && !has(curve.law->quantities, quantity.of_law)) return std::nullopt;
+    if (quantity.word == "approach" && curve.separation_at_seating.empty()) return std::nullopt;
+    if ((quantity.needs & quantity.slip) != 0 && curve.log_slopes.empty()) return std::nullopt;
+    const Estimate<double> value = quantity.value({joint, curve, i, curve.states[i]});
+    const bool lost = quantity.word == "loading_stiffness" && value.value == 0;  // of boundary elements that flow
+    if (lost || std::isnan(value.value)) return std::nullopt;
+    AnswerPoint::Value of{&quantity, {no_number, value.value, no_number}, value.error};
+    if (!quantity.follows_stiffness()) return of;
+    if (curve.band.empty()) {
+        of.number = {value.value, value.value, value.value};
+        return of;
+    }
+    const auto bound = [&](double K, BandEnd end) {
+        ContactState<double> state = curve.states[i];
+        state.stiffness = {K, 0};
+        return quantity.value({joint, curve, i, state, end}).value;
+    };
+    auto [low, median, high, failed] = curve.band[i];
+    if (quantity.with_stiffness == AnswerQuantity::WithStiffness::falls) std::swap(low, high);
+    of.number.low = bound(low, BandEnd::low), of.number.high = bound(high, BandEnd::high);
+    return of;
+}
+
+/// Where the mean over the load of a law of plastic peaks is outside of \p range: "a/R = 0.5, above 0.3".
+FSTIFF_INLINE std::string outside_range(const PlasticRange& range, const LoadMeans<double>& means) {
+    std::string text;
+    const auto add = [&](const char* name, double value, const char* side, double limit) {
+        text += (text.empty() ? "" : " and ") + std::string(name) + " = " + rounded_text(value, 4) + ", " + side + " " +
+                rounded_text(limit, 3);
+    };
+    const double s = means.interference.value, ratio = means.radius_ratio.value;
+    if (s < range.least_interference) add("omega/omega_c", s, "below", range.least_interference);
+    if (s > range.most_interference) add("omega/omega_c", s, "above", range.most_interference);
+    if (ratio > range.most_radius_ratio) add("a/R", ratio, "above", range.most_radius_ratio);
+    return text;
+}
+
+/// The state \p i of \p curve, into \p point.
+FSTIFF_INLINE void take_state(const ResolvedJoint& joint, const LawCurve& curve, std::size_t i,
+                              const std::vector<const AnswerQuantity*>& quantities, AnswerPoint& point) {
+    const double K = curve.states[i].stiffness.value;
+    point.state = curve.states[i];
+    point.pressure = point.state.pressure.value;
+    point.stiffness = curve.band.empty() ? Banded{K, K, K} : Banded{curve.band[i].low, K, curve.band[i].high};
+    point.law = curve.law_at(i).which;
+    if (!curve.band.empty()) point.failed = curve.band[i].failed;
+    if (curve.rms_gradient)
+        point.p_star = dimensionless_pressure(point.pressure, joint.effective_modulus, *curve.rms_gradient);
+    if (i < curve.means.size()) point.doubt = outside_range(curve.law->range, curve.means[i]);
+    point.values.reserve(quantities.size());
+    for (const AnswerQuantity* quantity : quantities)
+        if (auto value = value_of(*quantity, joint, curve, i)) point.values.push_back(std::move(*value));
+}
+
+/// \p curve at \p points, which it has a state or a reason for.
+FSTIFF_INLINE void take_curve(const ResolvedJoint& joint, const LawCurve& curve, const Request& request,
+                              const AnswerOptions& options, const std::vector<const AnswerQuantity*>& quantities,
+                              AnswerCurve& to) {
+    const auto in_pascal = [](double pressure) { return rounded_text(pressure, 3) + " Pa"; };
+    to.law = curve.law->which, to.theta = curve.theta, to.r = curve.r;
+    to.has_band = !curve.band.empty();
+    to.no_approach = curve.no_separation_at_seating;
+    to.checks = curve.checks;
+    for (Check<double>& check : to.checks)
+        if (!check.holds()) check.first = curve.places[check.first];
+    auto missed = curve.missed.begin();
+    for (std::size_t i = 0; i < curve.states.size() || missed != curve.missed.end();) {
+        AnswerPoint& point = to.points.emplace_back();
+        if (missed == curve.missed.end() || (i < curve.states.size() && curve.places[i] < missed->place)) {
+            point.place = curve.places[i];
+            take_state(joint, curve, i++, quantities, point);
+            continue;
+        }
+        point.place = missed->place, point.miss = missed->why;
+        const double asked = request.points[missed->place];
+        if (request.at_separations)
+            point.pressure = no_number, point.state.separation = {asked, 0};
+        else
+            point.pressure = asked;
+        point.reason = reason_of(joint, *missed, asked, options.pressure_text ? options.pressure_text : +in_pascal);
+        ++missed;
+    }
+}
+
+/// What is known of the answer \p curve beyond its points, into \p answer, which has them.
+FSTIFF_INLINE void take_facts(const ResolvedJoint& joint, const Request& request, const LawCurve& curve,
+                              const AnswerFacts& facts, Answer& answer) {
+    std::size_t state = 0;
+    for (AnswerPoint& point : answer.points) {
+        if (!point.ok()) continue;
+        const AnswerReason& reason = facts.reasons[state++];
+        point.causes = reason.causes, point.contacts = reason.contacts;
+        point.loading_stiffness = reason.loading_stiffness;
+    }
+    answer.flows = facts.flows;
+    answer.of_map_itself = facts.of_map_itself;
+    answer.relative_hardness = facts.relative_hardness;
+    answer.rms_gradient = curve.rms_gradient;
+    answer.assumed = assumed_of(joint, *curve.law);
+    const std::span<const double> pressures(request.points.data(), request.at_separations ? 0 : request.points.size());
+    answer.concerns = unlikely_units(joint, pressures);
+    for (const Check<double>& check : concerns_of(joint, curve)) answer.concerns.push_back(check);
+    answer.doubtful = std::any_of(answer.concerns.begin(), answer.concerns.end(), [&](const Check<double>& check) {
+        return makes_doubtful(check, request.points.size());
+    });
+}
+
+FSTIFF_INLINE AnswerPoint point_of(const ResolvedJoint& joint, const Law& law, const ContactState<double>& state,
+                                   const AnswerOptions& options) {
+    AnswerPoint point;
+    take_state(joint, {.law = &law, .states = {state}, .places = {0}}, 0, quantities_of(joint, options), point);
+    return point;
+}
+
+FSTIFF_INLINE std::optional<Answer::Next> next_of(const ResolvedJoint& joint, std::span<const double> points,
+                                                  const AnswerOptions& options, const Answer& answer) {
+    const Request request = request_of(joint, points, options, {}, false);
+    const AnswerPoint* middle = answer.at(request.answered[request.answered.size() / 2]);
+    return middle ? next_measurement(joint, request, answer, *middle) : std::nullopt;
+}
+
+FSTIFF_INLINE Answer answer_of(const ResolvedJoint& joint, std::span<const double> points, const AnswerOptions& options,
+                               const std::vector<MadeContact>* contacts) {
+    require_options(points, options);
+    const std::vector<const AnswerQuantity*> quantities = quantities_of(joint, options);
+    const Request request = request_of(joint, points, options, quantities, contacts == nullptr);
+    Answer answer;
+    answer.rms_height = joint.face.parameters.rms_height.value;
+    answer.effective_modulus = joint.effective_modulus;
+    answer.hardness = hardness_of(joint);
+    answer.yield_strength = joint.yield_strength.value_or(answer.hardness / hardness_over_yield_strength<double>);
+    const Curves curves = curves_of(joint, request, options.progress, contacts);
+    answer.failed = curves.failed;
+    for (const LawCurve& named : curves.named)
+        take_curve(joint, named, request, options, quantities, answer.laws.emplace_back());
+    answer.refusal = curves.no_answer;
+    if (!curves.answer) return answer;
+    take_curve(joint, *curves.answer, request, options, quantities, answer);
+    take_facts(joint, request, *curves.answer, curves.facts, answer);
+    if (options.next) answer.next = next_of(joint, points, options, answer);
+    return answer;
 }
 
 }  // namespace detail
 
 FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
-    detail::require_options(pressures, options);
-    const detail::ResolvedJoint problem = detail::problem_of(joint, detail::law_options(options));
-    detail::Request request{.points = {pressures.begin(), pressures.end()},
-                            .approach = options.approach,
-                            .log_slopes = can_derive(detail::Derived::loss_factor, problem),
-                            .separation = needs_separation(problem, pressures, options),
-                            .seating = options.seating,
-                            .samples = options.samples,
-                            .seed = options.seed,
-                            .solves_map = options.solve_map,
-                            .parallel = options.parallel};
-    for (std::size_t i = 0; i < pressures.size(); ++i) request.answered.push_back(i);
-    Answer answer;
-    answer.rms_height = problem.face.parameters.rms_height.value;
-    const detail::Curves curves = curves_of(problem, request, options.progress);
-    const detail::LawCurve& curve = *curves.answer;
-    answer.points = points_of(problem, curve, pressures);
-    for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const detail::AnswerReason& reason = curves.facts.reasons[i];
-        AnswerPoint& point = answer.points[curve.places[i]];
-        point.causes = reason.causes, point.p_star = reason.p_star, point.contacts = reason.contacts;
-        point.loading_stiffness = reason.loading_stiffness;
-    }
-    answer.flows = curves.facts.flows;
-    answer.of_map_itself = curves.facts.of_map_itself;
-    answer.relative_hardness = curves.facts.relative_hardness;
-    answer.assumed = detail::assumed_of(problem, *curve.law);
-    const std::vector<const detail::Face*> faces = detail::measured_faces(problem);
-    answer.across_lay =
-        std::any_of(faces.begin(), faces.end(), [](const auto* face) { return face->is_taken_across(); });
-    answer.concerns = unlikely_units(problem, pressures);
-    for (const Check<double>& check : concerns_of(problem, curve)) answer.concerns.push_back(check);
-    answer.doubtful = std::any_of(answer.concerns.begin(), answer.concerns.end(), [&](const Check<double>& check) {
-        return detail::makes_doubtful(check, pressures.size());
-    });
-    if (const auto index = curve.state_at(pressures.size() / 2); options.next && index)
-        if (const auto next = next_measurement(problem, request, curve, curves.facts, *index))
-            answer.next = {next->which, pressures[pressures.size() / 2],
-                           curve.band[*index].high / curve.band[*index].low, next->factor};
-    if (options.laws.empty()) return answer;
-    for (const ChosenLaw& law : options.laws) request.laws.push_back(&detail::possible_law(law, problem));
-    request.answers = request.checked = false;
-    for (const detail::LawCurve& named : curves_of(problem, request, options.progress).named)
-        answer.laws.push_back({named.law->which, named.theta, named.r, points_of(problem, named, pressures)});
-    return answer;
+    return detail::answer_of(detail::problem_of(joint, detail::law_options(options)), pressures, options);
 }
 
 FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<double>& range) const {

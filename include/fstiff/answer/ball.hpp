@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// A ball on the face of a joint, by the law of the answer, with the band of its stiffness.
+/// A ball on the face of a joint, by the law of the answer, with the band of its stiffness: Answer::balls().
 ///
 ///     p(d), K(p)   of the states of the answer: ln K and ln(-dp/dd) as cubics over ln p
 ///     ends         of the ball whose law has K, and as much -dp/dd, at one end of its band at all pressures
@@ -14,76 +14,109 @@
 /// Accuracy    of the law 5e-4; of the ball tabulated/ball_contact.hpp (tests/scene/joint_test.cpp)
 
 #include <fstiff/answer/answer.hpp>
-#include <fstiff/answer/curves.hpp>
-#include <fstiff/answer/derived.hpp>
 #include <fstiff/answer/rising_curve.hpp>
+#include <fstiff/core/text.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-namespace fstiff { inline namespace v0_1 { namespace detail {
+namespace fstiff { inline namespace v0_1 {
 
 /// A ball under one load.
-struct BallOnFace {
+struct Answer::Ball {
     std::string reason{};             ///< why there is no contact; empty where there is one
     ContactOfBall<double> contact{};  ///< of the middle
     double low = 0, high = 0;         ///< ends of the band of its stiffness [N/m]
+    ContactOfBall<double> hertz{};    ///< of smooth faces
+    /// The body under the face yields, though it is computed as elastic: the greatest pressure is above 1.6 times the
+    /// yield strength (Johnson, Contact Mechanics (1985), section 6.2).
+    bool yields = false;
 };
 
-/// The law of \p curve with K at the end \p end of its band.
-[[nodiscard]] inline ContactLaw<double> law_at(BandEnd end, const LawCurve& curve, const AnswerFacts& facts,
-                                               double rms_height) {
+namespace detail {
+
+/// Pressures [Pa] whose answer makes the law of a ball of \p radius [m] under \p forces [N], at least one: six a
+/// decade, from 1e-4 of Hertz' under the least force, below which a pressure carries nothing, to that under the
+/// greatest. \throws domain_error where one is beyond the range of double precision.
+[[nodiscard]] inline std::vector<double> ball_pressures(double radius, double effective_modulus,
+                                                        std::span<const double> forces) {
+    const auto [least, greatest] = std::minmax_element(forces.begin(), forces.end());
+    const double from = 1e-4 * hertz_ball(radius, effective_modulus, *least).pressure,
+                 to = hertz_ball(radius, effective_modulus, *greatest).pressure;
+    if (!(from > 0) || !std::isfinite(to))
+        throw domain_error(
+            Refusal{.parameter = "ball_radius", .allowed = "such that a pressure is in the range of double precision"});
+    const auto last = static_cast<std::size_t>(std::ceil(6 * std::log10(to / from)));
+    std::vector<double> pressures{from};
+    for (std::size_t i = 1; i < last; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(last);
+        pressures.push_back(std::exp((1 - share) * std::log(from) + share * std::log(to)));
+    }
+    pressures.push_back(to);
+    return pressures;
+}
+
+/// The law of \p answer with K, and as much -dp/dd, at the value, 0, or at an end, -1 or 1, of its band.
+[[nodiscard]] inline ContactLaw<double> law_of_ball(const Answer& answer, int end) {
     constexpr double most = 1e6;  // times K: an infinite end, next to which the bodies are soft all the same
     std::vector<std::pair<double, double>> stiffnesses, slopes;  // ln over ln p
-    for (std::size_t i = 0; i < curve.states.size(); ++i) {
-        const double K = curve.states[i].stiffness.value, x = std::log(curve.states[i].pressure.value);
-        const double factor = end == BandEnd::value ? 1
-                              : end == BandEnd::low ? curve.band[i].low / K
-                                                    : (std::min)(curve.band[i].high / K, most);
+    double least = 0, greatest = 0, closest = 0;
+    for (const AnswerPoint& point : answer.points) {
+        if (!point.ok()) continue;
+        const auto& [low, K, high] = point.stiffness;
+        const double x = std::log(point.pressure), factor = end == 0  ? 1
+                                                            : end < 0 ? low / K
+                                                                      : (std::min)(high / K, most);
         stiffnesses.emplace_back(x, std::log(factor * K));
-        slopes.emplace_back(x, std::log(factor * facts.reasons[i].loading_stiffness.value_or(K)));
+        slopes.emplace_back(x, std::log(factor * point.loading_stiffness.value_or(K)));
+        if (least == 0) least = point.pressure;
+        greatest = point.pressure, closest = point.state.separation.value;
     }
     const RisingCurve stiffness(stiffnesses), slope(slopes);
-    const double last = slopes.back().first, closest = curve.states.back().separation.value;
+    const double last = std::log(greatest);
     return ContactLaw<double>::tabulate_points(
         [&](double p) {
             const double x = std::log(p);
             return LawPoint<double>{closest + slope.fall(x, last), std::exp(stiffness.at(x))};
         },
-        rms_height,
-        {curve.states.front().pressure.value, curve.states.back().pressure.value, OutsideRange::extrapolate},
-        facts.flows ? 0.0 : 1.0);
+        answer.rms_height, {least, greatest, OutsideRange::extrapolate}, answer.flows ? 0.0 : 1.0);
 }
 
-/// The ball of the radius \p radius [m] on the face of \p problem under each of \p loads [N], by the answer \p curve,
-/// whose pressures rise. \throws domain_error for less than two states.
-[[nodiscard]] inline std::vector<BallOnFace> balls_on_answer(const ResolvedJoint& problem, const LawCurve& curve,
-                                                             const AnswerFacts& facts, double radius,
-                                                             const std::vector<double>& loads) {
-    const auto law = [&](BandEnd end) { return law_at(end, curve, facts, problem.face.parameters.rms_height.value); };
-    const ContactLaw<double> middle = law(BandEnd::value), soft = law(BandEnd::low), stiff = law(BandEnd::high);
+}  // namespace detail
+
+inline std::vector<Answer::Ball> Answer::balls(double radius, std::span<const double> forces) const {
+    const ContactLaw<double> middle = detail::law_of_ball(*this, 0), soft = detail::law_of_ball(*this, -1),
+                             stiff = detail::law_of_ball(*this, 1);
     // faces that are closed are smooth, which a law is too where it goes on beyond its last state
-    const bool ends = std::any_of(curve.missed.begin(), curve.missed.end(),
-                                  [](const MissedPoint& missed) { return missed.why != Miss::closed; });
-    std::vector<BallOnFace> balls;
-    for (const double load : loads) try {
+    const bool ends = std::any_of(points.begin(), points.end(), [](const AnswerPoint& point) {
+        return !point.ok() && point.miss != AnswerPoint::Miss::closed;
+    });
+    std::vector<Ball> balls;
+    for (const double force : forces) {
+        Ball& ball = balls.emplace_back(Ball{.hertz = detail::hertz_ball(radius, effective_modulus, force)});
+        try {
             const auto on = [&](const ContactLaw<double>& face) {
-                return ball_on_rough_face(face, radius, problem.effective_modulus, load);
+                return ball_on_rough_face(face, radius, effective_modulus, force);
             };
-            const ContactOfBall<double> contact = on(middle);
-            if (ends && contact.pressure > middle.pressures()[1])
-                refuse("pressure of the ball", contact.pressure, 3,
-                       "at most " + rounded_text(middle.pressures()[1], 3) + " Pa, where the law of the face ends");
-            const auto [low, high] = std::minmax({contact.stiffness, on(soft).stiffness, on(stiff).stiffness});
-            balls.push_back({{}, contact, low, high});
+            ball.contact = on(middle);
+            if (ends && ball.contact.pressure > middle.pressures()[1])
+                detail::refuse("pressure of the ball", ball.contact.pressure, 3,
+                               "at most " + detail::rounded_text(middle.pressures()[1], 3) +
+                                   " Pa, where the law of the face ends");
+            std::tie(ball.low, ball.high) =
+                std::minmax({ball.contact.stiffness, on(soft).stiffness, on(stiff).stiffness});
+            ball.yields = ball.contact.pressure > 1.6 * yield_strength;
         } catch (const domain_error& error) {
-            balls.push_back({.reason = error.what()});
+            ball.reason = error.what(), ball.contact = {};
         }
+    }
     return balls;
 }
 
-}}}  // namespace fstiff::detail
+}}  // namespace fstiff

@@ -3,6 +3,7 @@
 /// \file
 /// What does not hold of an answer, and what to measure next.
 
+#include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/request.hpp>
@@ -35,14 +36,9 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 /// the surface.
 [[nodiscard]] std::vector<Check<double>> concerns_of(const ResolvedJoint& problem, const LawCurve& curve);
 
-/// The measurement that narrows the band most.
-struct NextMeasurement {
-    std::optional<Unknown> which{};  ///< none: four times the length or the area; of a trace across a lay, a map
-    double factor = 0;               ///< high over low of the band once it finds what is assumed now
-};
-/// Of the band of \p answer at its state \p i; none where nothing narrows that factor by a twentieth.
-[[nodiscard]] std::optional<NextMeasurement> next_measurement(const ResolvedJoint& problem, const Request& request,
-                                                              const LawCurve& answer, const AnswerFacts& facts,
-                                                              std::size_t i);
+/// The measurement that narrows the band of \p answer, which \p request asked for, most at \p point of it; none where
+/// nothing narrows it by a twentieth.
+[[nodiscard]] std::optional<Answer::Next> next_measurement(const ResolvedJoint& problem, const Request& request,
+                                                           const Answer& answer, const AnswerPoint& point);
 
 }}}  // namespace fstiff::detail

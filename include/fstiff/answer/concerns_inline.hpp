@@ -163,10 +163,9 @@ FSTIFF_INLINE double factor_of(const Causes<double>& causes) {
     return std::exp(high - low);
 }
 
-/// The factor that \p reason makes of a profile or map four times as large: half the errors, and fewer waves that are
+/// The factor that \p causes make of a profile or map four times as large: half the errors, and fewer waves that are
 /// longer.
-FSTIFF_INLINE double factor_of_larger(const ResolvedJoint& problem, const AnswerReason& reason) {
-    Causes<double> causes = reason.causes;
+FSTIFF_INLINE double factor_of_larger(const ResolvedJoint& problem, Causes<double> causes) {
     const bool profile = measured_faces(problem).front()->measured->is_profile;
     const auto scale = [&](Cause cause, double factor) {
         auto& spread = causes[static_cast<std::size_t>(cause)];
@@ -184,19 +183,19 @@ FSTIFF_INLINE double factor_of_larger(const ResolvedJoint& problem, const Answer
     return factor_of(causes);
 }
 
-FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const ResolvedJoint& problem, const Request& request,
-                                                              const LawCurve& answer, const AnswerFacts& facts,
-                                                              std::size_t i) {
+FSTIFF_INLINE std::optional<Answer::Next> next_measurement(const ResolvedJoint& problem, const Request& request,
+                                                           const Answer& answer, const AnswerPoint& point) {
     const bool map = problem.face.map && problem.face.spectrum_of_map, measured = !measured_faces(problem).empty();
-    std::optional<NextMeasurement> most;
-    double least = 0.95 * (answer.band[i].high / answer.band[i].low);  // nothing that narrows the factor by less
-    const auto consider = [&](std::optional<Unknown> unknown, double factor) {
-        if (factor < least) most = NextMeasurement{unknown, least = factor};
+    const double factor = point.stiffness.high / point.stiffness.low;
+    std::optional<Answer::Next> most;
+    double least = 0.95 * factor;  // nothing that narrows the factor by less
+    const auto consider = [&](std::optional<Unknown> unknown, double narrowed) {
+        if (narrowed < least) most = Answer::Next{unknown, point.pressure, factor, least = narrowed};
     };
     for (const auto unknown : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
         if (!map && problem.face.is_open(unknown) && !(measured && detail::is_of_shape(unknown)))
-            consider(unknown, factor_of_known(problem, request, answer.places[i], unknown));
-    const Causes<double>& causes = facts.reasons[i].causes;
+            consider(unknown, factor_of_known(problem, request, point.place, unknown));
+    const Causes<double>& causes = point.causes;
     const auto factor_without = [&](Cause cause) {
         Causes<double> others = causes;
         others[static_cast<std::size_t>(cause)] = {};
@@ -208,12 +207,11 @@ FSTIFF_INLINE std::optional<NextMeasurement> next_measurement(const ResolvedJoin
             consider(steep * height.value > height.error ? Unknown::gradient : Unknown::height,
                      factor_without(Cause::measurement));
     }
-    if (problem.hardness_range && depends_on_hardness(problem, {answer.law}))
+    if (problem.hardness_range && depends_on_hardness(problem, {&find_law(answer.law)}))
         consider(Unknown::hardness, factor_without(Cause::hardness));
     const bool map_is_better = causes[static_cast<std::size_t>(Cause::lay)].high > 0;
-    if (measured && !facts.of_map_itself)
-        consider(std::nullopt,
-                 map_is_better ? factor_without(Cause::lay) : factor_of_larger(problem, facts.reasons[i]));
+    if (measured && !answer.of_map_itself)
+        consider(std::nullopt, map_is_better ? factor_without(Cause::lay) : factor_of_larger(problem, causes));
     return most;
 }
 

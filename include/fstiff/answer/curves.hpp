@@ -3,6 +3,7 @@
 /// \file
 /// The curves of a joint: of laws that are named, each with its band, and of the answer, with the causes of its band.
 
+#include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/band.hpp>
 #include <fstiff/answer/band_parts.hpp>
 #include <fstiff/answer/causes.hpp>
@@ -24,13 +25,7 @@
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-/// Why a law has no state at a point.
-enum class Miss {
-    law,       ///< by the reason that it gives
-    range,     ///< a number is beyond the range of double precision
-    hardness,  ///< the pressure reaches the hardness
-    closed     ///< the contact is closed above a pressure
-};
+using Miss = AnswerPoint::Miss;
 /// A point that a law does not reach.
 struct MissedPoint {
     std::size_t place = 0;  ///< among Request::points

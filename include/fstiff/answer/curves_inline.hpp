@@ -258,6 +258,7 @@ FSTIFF_INLINE std::string reason_of(const ResolvedJoint& problem, const MissedPo
     std::string unit;
     for (const Check<double>& check : unlikely_units(problem, {})) unit += "; " + sentence_of_unit(check);
     switch (missed.why) {
+        case Miss::none: break;
         case Miss::law: return missed.reason;
         case Miss::range: return "a result is beyond the range of double precision";
         case Miss::hardness:

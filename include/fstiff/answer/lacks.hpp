@@ -35,9 +35,9 @@ enum class Lack {
 /// \p lack as the reason of a law.
 [[nodiscard]] std::string reason_of(Lack lack);
 /// \throws domain_error where \p law cannot be computed of \p problem.
-void require_possible(const Law& law, const ResolvedJoint& problem);
+void require_possible(const Law& law, const ResolvedJoint& problem, bool at_separations = false);
 /// The row of \p law. \throws as require_possible, and where \p law is none.
-[[nodiscard]] const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem);
+[[nodiscard]] const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem, bool at_separations = false);
 
 /// The joint distributions of peaks of which \p law has a curve each; none for a law that has none. Where none are
 /// given, those of an isotropic surface of its alpha; the laws of the paper keep the paper's pair.

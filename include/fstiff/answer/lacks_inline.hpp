@@ -62,15 +62,16 @@ FSTIFF_INLINE std::string reason_of(Lack lack) {
     return "";
 }
 
-FSTIFF_INLINE void require_possible(const Law& law, const ResolvedJoint& problem) {
+FSTIFF_INLINE void require_possible(const Law& law, const ResolvedJoint& problem, bool at_separations) {
     const std::string name = "law " + std::string(law.name) + ": ";
     if (law.needs_dimension && !problem.face.dimension()) throw domain_error(name + "needs fractal_dimension");
-    if (const Lack lack = lack_of(law, problem); lack != Lack::nothing) throw domain_error(name + reason_of(lack));
+    if (const Lack lack = lack_of(law, problem, at_separations); lack != Lack::nothing)
+        throw domain_error(name + reason_of(lack));
 }
 
-FSTIFF_INLINE const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem) {
+FSTIFF_INLINE const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem, bool at_separations) {
     if (!law.row) throw domain_error("law: must be one of " + choices_text<LawName>());
-    require_possible(law.row(), problem);
+    require_possible(law.row(), problem, at_separations);
     return law.row();
 }
 

@@ -51,6 +51,11 @@ struct ResolvedJoint {
     std::optional<Waves> ultrasound;
     Conduction conduction;
     std::optional<Friction> friction;
+    /// What was written of it by itself, and did not come with a name: such quantities are usual ones.
+    struct Given {
+        bool force = false;  ///< or the ring that carries it
+        bool heat = false, current = false;
+    } is_given{};
 };
 
 /// Takes the elastic constants, the hardness and the yield strength of both bodies; where \p modulus [Pa] is in place

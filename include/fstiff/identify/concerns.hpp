@@ -64,8 +64,6 @@ namespace detail {
            concern == FitConcern::far_from_start || concern == FitConcern::unresolved;
 }
 
-}  // namespace detail
-
 /// One doubt about a fit, with its numbers.
 template <Real T = double>
 struct FitFinding {
@@ -76,8 +74,6 @@ struct FitFinding {
     T value{};
     std::size_t point{};  ///< of outlier: the observation
 };
-
-namespace detail {
 
 /// The largest residual if it is an outlier.
 template <Real T>
@@ -105,8 +101,6 @@ void add_far_from_start(const Identification<T>& fit, std::vector<FitFinding<T>>
     }
 }
 
-}  // namespace detail
-
 /// Concerns in the order of FitConcern, but at_bound and unresolved as the parameters come; singular excludes the
 /// others.
 template <Real T>
@@ -124,8 +118,8 @@ template <Real T>
         findings.push_back({.concern = FitConcern::misfit, .value = fit.chi_squared / freedom});
     if (!fit.errors_known && fit.scatter > T(0.25))
         findings.push_back({.concern = FitConcern::scattered, .value = fit.scatter});
-    detail::add_outlier(fit, findings);
-    detail::add_far_from_start(fit, findings);
+    add_outlier(fit, findings);
+    add_far_from_start(fit, findings);
     const bool has_errors = fit.covariance.size() > 0;
     if (!has_errors && fit.status != math::FitStatus::at_bound) findings.push_back({.concern = FitConcern::no_errors});
     for (const auto& p : fit.parameters) {
@@ -148,5 +142,7 @@ template <Real T>
             }
     return findings;
 }
+
+}  // namespace detail
 
 }}  // namespace fstiff

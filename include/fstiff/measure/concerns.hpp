@@ -80,6 +80,8 @@ inline constexpr auto names<MeasuredConcern> = detail::name_list<MeasuredConcern
     {MeasuredConcern::implausible_gradient, "implausible_gradient"},
 });
 
+namespace detail {
+
 /// Concerns curved, saturated and roughness_uncertain.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const FractalFit<T>& fit) {
@@ -106,8 +108,6 @@ template <Real T>
     return concerns;
 }
 
-namespace detail {
-
 /// Whether \p m is known to a factor of two: its standard error is at most half its value.
 template <Real T>
 [[nodiscard]] constexpr bool is_known(const Measurement<T>& m) {
@@ -129,20 +129,16 @@ template <Real T>
     return islands.index == 0 || islands.index + 1 == islands.curve.size();
 }
 
-}  // namespace detail
-
 /// Concerns few_peaks, radius_uncertain, density_uncertain, no_densest_level and parameter_unknown.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const RepresentativeIslands<T>& islands) {
     std::vector<MeasuredConcern> concerns;
     const Measurement<T> radius{islands.radius, islands.radius_error}, density{islands.density, islands.density_error};
-    detail::add_peak_concerns(concerns, islands.islands, radius, density);
-    if (detail::is_densest_at_end(islands)) concerns.push_back(MeasuredConcern::no_densest_level);
-    if (!detail::is_known(radius) || !detail::is_known(density)) concerns.push_back(MeasuredConcern::parameter_unknown);
+    add_peak_concerns(concerns, islands.islands, radius, density);
+    if (is_densest_at_end(islands)) concerns.push_back(MeasuredConcern::no_densest_level);
+    if (!is_known(radius) || !is_known(density)) concerns.push_back(MeasuredConcern::parameter_unknown);
     return concerns;
 }
-
-namespace detail {
 
 /// Parameters of \p surface that are not known to a factor of two; without r where long waves leave it open with sigma.
 template <Real T>
@@ -156,8 +152,6 @@ template <Real T>
     return parameters;
 }
 
-}  // namespace detail
-
 /// Concerns curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level,
 /// parameter_unknown, form, step and scan_lines.
 template <Real T>
@@ -165,13 +159,11 @@ template <Real T>
     std::vector<MeasuredConcern> concerns;
     if (surface.curved) concerns.push_back(MeasuredConcern::curved);
     if (surface.anisotropic) concerns.push_back(MeasuredConcern::anisotropic);
-    if (surface.repetition.is_lay() || detail::is_lay(surface.texture_aspect_ratio))
-        concerns.push_back(MeasuredConcern::lay);
+    if (surface.repetition.is_lay() || is_lay(surface.texture_aspect_ratio)) concerns.push_back(MeasuredConcern::lay);
     if (surface.long_wave_share > T(0.75)) concerns.push_back(MeasuredConcern::long_waves);
-    detail::add_peak_concerns(concerns, surface.peaks_counted, surface.peak_radius, surface.peak_density);
-    if (surface.islands && detail::is_densest_at_end(*surface.islands))
-        concerns.push_back(MeasuredConcern::no_densest_level);
-    if (!detail::unknown_parameters(surface).empty()) concerns.push_back(MeasuredConcern::parameter_unknown);
+    add_peak_concerns(concerns, surface.peaks_counted, surface.peak_radius, surface.peak_density);
+    if (surface.islands && is_densest_at_end(*surface.islands)) concerns.push_back(MeasuredConcern::no_densest_level);
+    if (!unknown_parameters(surface).empty()) concerns.push_back(MeasuredConcern::parameter_unknown);
     if (surface.plain_form.is_parabola()) concerns.push_back(MeasuredConcern::form);
     if (surface.plain_form.is_step()) concerns.push_back(MeasuredConcern::step);
     if (surface.offset_lines != ScanAxis::automatic) concerns.push_back(MeasuredConcern::scan_lines);
@@ -182,11 +174,9 @@ template <Real T>
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface, T rms_gradient) {
     std::vector<MeasuredConcern> concerns = concerns_of(surface);
-    if (!detail::is_plausible_gradient(rms_gradient)) concerns.push_back(MeasuredConcern::implausible_gradient);
+    if (!is_plausible_gradient(rms_gradient)) concerns.push_back(MeasuredConcern::implausible_gradient);
     return concerns;
 }
-
-namespace detail {
 
 /// Whether results for the surface are in doubt: no_densest_level, parameter_unknown, form, step and
 /// implausible_gradient.

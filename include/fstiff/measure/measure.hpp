@@ -170,7 +170,7 @@ template <Real T, class FindParameters, class FindStatistics>
     static_cast<SurfaceParameters<T>&>(surface) = std::move(parameters);
     surface.cut_offs = cut_offs;
     if (cut_offs.lambda_c) surface.long_end.open = 0;  // longer waves are excluded by the user
-    surface.concerns = concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
+    surface.concerns = detail::concerns_of(static_cast<const SurfaceParameters<T>&>(surface), rms_gradient);
     return surface;
 }
 

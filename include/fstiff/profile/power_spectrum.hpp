@@ -45,6 +45,8 @@ struct PowerSpectrum {
     }
 };
 
+namespace detail {
+
 /// D of a power spectrum.
 template <Real T = double>
 struct SpectralFit {
@@ -53,8 +55,6 @@ struct SpectralFit {
     LengthRange<T> window;  ///< used [m]
     std::size_t bins{};     ///< means of C that the line goes through
 };
-
-namespace detail {
 
 /// Heights from the first to the last existing point, gaps bridged.
 template <Real T>

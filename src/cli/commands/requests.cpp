@@ -78,7 +78,7 @@ actions::TruthRequest numbers_of(const TruthTexts& texts) {
         return document::parse_positive(text, io::Dimension::pressure, name);
     };
     actions::TruthRequest request = texts;
-    request.modulus = texts.effective_modulus.empty() ? effective_modulus(scene.upper, scene.lower)
+    request.modulus = texts.effective_modulus.empty() ? effective_modulus(scene.joint.upper, scene.joint.lower)
                                                       : positive(texts.effective_modulus, "--modulus");
     if (texts.at.empty() && scene.at_separations)
         throw domain_error("the scene has separations; must have contact.pressures, or --pressures must be given");
@@ -88,9 +88,9 @@ actions::TruthRequest numbers_of(const TruthTexts& texts) {
         detail::require_positive("--hardness", request.hardness);
     }
     if (texts.effective_modulus.empty())  // else the bodies are not those of the scene
-        request.known_hardness = scene.hardness ? *scene.hardness
-                                 : scene.yield_strength
-                                     ? detail::hardness_over_yield_strength<double> * *scene.yield_strength
+        request.known_hardness = scene.joint.hardness ? *scene.joint.hardness
+                                 : scene.joint.yield_strength
+                                     ? detail::hardness_over_yield_strength<double> * *scene.joint.yield_strength
                                      : 0;
     return request;
 }

@@ -23,7 +23,7 @@ struct Options {
 };
 
 /// The results between the points of \p scene; none where it has enough, or no law reaches any.
-std::optional<actions::Results> between_points(const scene::Scene& scene) {
+std::optional<actions::Answered> between_points(const scene::Scene& scene) {
     const scene::Scene between = actions::with_finer_points(scene, true);
     if (between.points.empty()) return std::nullopt;
     try {
@@ -41,10 +41,10 @@ Report execute(const Options& options) {
     }
     keep_for_picture(options.picture, options.output.force);
     const scene::Scene scene = read_scene(options.scene);
-    const actions::Results results = computed(scene);
+    const actions::Answered answered = computed(scene);
     return with_picture(
-        report(document_of(scene, results, options.full), options.output.format),
-        [&] { return results_figure(scene, results, between_points(scene)); }, options.picture);
+        report(document_of(answered, options.full), options.output.format),
+        [&] { return results_figure(answered, between_points(scene)); }, options.picture);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/output_options.hpp"
 
-#include "actions/compute.hpp"
 #include "input/progress.hpp"
 
 #include <algorithm>
@@ -75,7 +74,7 @@ scene::Scene read_scene(const SceneOptions& options) {
     return scene;
 }
 
-actions::Results computed(const scene::Scene& scene) {
+actions::Answered computed(const scene::Scene& scene) {
     const ProgressHook progress = progress_bar();
     return actions::compute(scene, progress, all_cores(progress));
 }

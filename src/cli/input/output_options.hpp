@@ -2,7 +2,7 @@
 #pragma once
 // --format and --output, which every subcommand takes, and the options of a scene and of a measured surface.
 
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "document/output.hpp"
 #include "input/arguments.hpp"
 #include "surface/surface_option_table.hpp"
@@ -42,6 +42,6 @@ void add_scene_options(Arguments& arguments, SceneOptions& options, const std::s
 [[nodiscard]] scene::Scene read_scene(const SceneOptions& options);
 
 /// compute() of \p scene on as many threads as the machine has cores, or as start, with progress_bar().
-[[nodiscard]] actions::Results computed(const scene::Scene& scene);
+[[nodiscard]] actions::Answered computed(const scene::Scene& scene);
 
 }  // namespace fstiff::cli

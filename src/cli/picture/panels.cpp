@@ -2,7 +2,6 @@
 // The figure of results, and its files: the picture, and its numbers as CSV.
 #include "picture/plot.hpp"
 
-#include "actions/compute.hpp"
 #include "actions/run.hpp"
 #include "document/own_output.hpp"
 
@@ -18,7 +17,7 @@
 
 namespace fstiff::cli {
 
-using actions::Curve;
+using actions::Answered;
 
 namespace {
 
@@ -26,35 +25,35 @@ constexpr std::size_t most_curves = 8, most_marks = 12;
 
 /// One law at the points of a scene and, where they are computed, between them.
 struct DrawnCurve {
-    const Curve* own;
-    const Curve* between = nullptr;
+    const AnswerCurve* own;
+    bool is_answer = false;
+    const AnswerCurve* between = nullptr;
 
-    /// Calls \p take(curve, state) for every state, from the least pressure to the greatest.
-    template <class Take>
-    void each_state(const Take& take) const {
-        std::vector<std::pair<const Curve*, std::size_t>> states;
-        for (const Curve* part : {own, between})
-            for (std::size_t i = 0; part && i < part->states.size(); ++i) states.emplace_back(part, i);
-        const auto pressure = [](const auto& state) { return state.first->states[state.second].pressure.value; };
-        std::stable_sort(states.begin(), states.end(),
-                         [&](const auto& a, const auto& b) { return pressure(a) < pressure(b); });
-        for (const auto& [curve, i] : states) take(*curve, i);
+    /// The points with a K, from the least pressure to the greatest.
+    [[nodiscard]] std::vector<const AnswerPoint*> points() const {
+        std::vector<const AnswerPoint*> points;
+        for (const AnswerCurve* part : {own, between})
+            if (part)
+                for (const AnswerPoint& point : part->points)
+                    if (point.ok()) points.push_back(&point);
+        std::stable_sort(points.begin(), points.end(),
+                         [](const auto* a, const auto* b) { return a->pressure < b->pressure; });
+        return points;
     }
 };
 
 /// Boundary elements, whose error is that of their grid.
-bool is_truth(const Curve& curve) { return curve.law->name == "boundary_elements"; }
-bool is_answer(const Curve& curve) { return !curve.by.empty(); }
+bool is_truth(const AnswerCurve& curve) { return curve.law == LawName::boundary_elements; }
 
 /// The answer, then the laws in the order of the scene.
-std::vector<DrawnCurve> curves_of(const actions::Results& results, const std::optional<actions::Results>& between) {
+std::vector<DrawnCurve> curves_of(const Answered& answered, const std::optional<Answered>& between) {
     std::vector<DrawnCurve> curves;
-    for (const Curve* own : shown_curves(results)) {
-        if (own->states.empty()) continue;  // no pressure is within its reach
-        curves.push_back({own});
-        for (const Curve* fine : between ? shown_curves(*between) : std::vector<const Curve*>())
+    for (const AnswerCurve* own : answered.shown_curves()) {
+        if (actions::count_of(*own) == 0) continue;  // no pressure is within its reach
+        curves.push_back({own, answered.is_answer(*own)});
+        for (const AnswerCurve* fine : between ? between->shown_curves() : std::vector<const AnswerCurve*>())
             if (fine->law == own->law && fine->theta == own->theta && fine->r == own->r &&
-                is_answer(*fine) == is_answer(*own))
+                between->is_answer(*fine) == answered.is_answer(*own))
                 curves.back().between = fine;
     }
     return curves;
@@ -62,27 +61,25 @@ std::vector<DrawnCurve> curves_of(const actions::Results& results, const std::op
 
 /// \p quantity of \p curve in a unit by \p factor, with the ends of its band or, of boundary elements, with the error
 /// of K as bars.
-PlotLine line_of(const DrawnCurve& curve, scene::CurveQuantity quantity, const document::ShownUnit& unit_of_pressure,
+PlotLine line_of(const DrawnCurve& curve, const AnswerQuantity& quantity, const document::ShownUnit& unit_of_pressure,
                  double factor) {
-    PlotLine line{.label = is_answer(*curve.own) ? "answer (" + laws_of(*curve.own) + ")" : title(*curve.own)};
-    const bool of_grid = quantity == scene::CurveQuantity::stiffness && is_truth(*curve.own) && curve.own->band.empty();
-    curve.each_state([&](const Curve& part, std::size_t i) {
-        const auto number = [&](scene::Statistic statistic) {
-            return part.value_at(part.places[i], quantity, statistic);
-        };
-        const auto value = number(scene::Statistic::value), low = number(scene::Statistic::p05),
-                   high = number(scene::Statistic::p95);
-        if (!value) return;
-        line.x.push_back(part.states[i].pressure.value * unit_of_pressure.factor);
-        line.y.push_back(*value * factor);
+    PlotLine line{.label =
+                      curve.is_answer ? "answer (" + actions::laws_of(*curve.own) + ")" : actions::title(*curve.own)};
+    const bool of_grid = quantity.word == "stiffness" && is_truth(*curve.own) && !curve.own->has_band;
+    for (const AnswerPoint* point : curve.points()) {
+        const AnswerPoint::Value* value = point->find(quantity.word);
+        if (!value) continue;
+        const auto& [low, middle, high] = value->number;
+        line.x.push_back(point->pressure * unit_of_pressure.factor);
+        line.y.push_back(middle * factor);
         const auto put = [&](double least, double most) {
             line.low.push_back(least * factor), line.high.push_back(most * factor);
         };
-        if (low && high)
-            put(std::min(*low, *high), std::max(*low, *high));
-        else if (const auto error = number(scene::Statistic::error); error && of_grid)
-            put(*error < 0.9 * *value ? *value - *error : 0, *value + *error);
-    });
+        if (quantity.follows_stiffness() && curve.own->has_band)
+            put(std::min(low, high), std::max(low, high));
+        else if (of_grid)
+            put(value->error < 0.9 * middle ? middle - value->error : 0, middle + value->error);
+    }
     if (line.low.size() != line.x.size()) line.low.clear(), line.high.clear();
     if (!line.low.empty()) line.band = of_grid ? "± error" : "5\u00A0to\u00A095\u00A0%";  // unbroken
     line.bars = of_grid || line.x.size() == 1;                                            // where a band has no width
@@ -90,9 +87,9 @@ PlotLine line_of(const DrawnCurve& curve, scene::CurveQuantity quantity, const d
 }
 
 /// \p quantity of \p curves against the pressure, with marks at the few points of a scene.
-Panel panel_of(const std::vector<DrawnCurve>& curves, scene::CurveQuantity quantity, std::string title,
+Panel panel_of(const std::vector<DrawnCurve>& curves, const AnswerQuantity& quantity, std::string title,
                const actions::Units& units) {
-    const document::Heading heading = heading_of(scene::Column{quantity}, units);
+    const document::Heading heading = heading_of({&quantity}, units);
     Panel panel{.title = std::move(title),
                 .x = {units.pressure.heading("nominal pressure p")},
                 .y = {heading.shown},
@@ -103,8 +100,8 @@ Panel panel_of(const std::vector<DrawnCurve>& curves, scene::CurveQuantity quant
         panel.lines.back().colour = static_cast<int>(k);
     }
     for (std::size_t k = 0; k < count; ++k) {
-        if (!curves[k].between || curves[k].own->states.size() > most_marks) continue;
-        const PlotLine own = line_of({curves[k].own}, quantity, units.pressure, heading.factor);
+        if (!curves[k].between || actions::count_of(*curves[k].own) > most_marks) continue;
+        const PlotLine own = line_of({curves[k].own, curves[k].is_answer}, quantity, units.pressure, heading.factor);
         panel.lines.push_back({.x = own.x, .y = own.y, .marks = true, .colour = static_cast<int>(k)});
     }
     return panel;
@@ -128,7 +125,7 @@ void frame_reflection(Panel& panel) {
 /// scene's frequency can distinguish from a weld and from a gap.
 Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<DrawnCurve>& curves,
                       const actions::Units& units) {
-    Panel panel = panel_of(curves, scene::CurveQuantity::stiffness, "Normal stiffness per nominal area", units);
+    Panel panel = panel_of(curves, detail::quantity_called("stiffness"), "Normal stiffness per nominal area", units);
     panel.y.label = units.stiffness.heading("K/A₀");
     panel.height = 360;
     if (problem.ultrasound) {
@@ -141,17 +138,17 @@ Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<Dr
                             std::max(range->high - waves.film_stiffness, 0.0) * units.stiffness.factor};
     }
     double least = std::numeric_limits<double>::infinity(), most = 0, last = 0;
-    const detail::Law* before = nullptr;
+    LawName before = LawName::none;
     for (const DrawnCurve& curve : curves)
-        curve.each_state([&](const Curve& part, std::size_t i) {
-            const double p = part.states[i].pressure.value;
+        for (const AnswerPoint* point : curve.points()) {
+            const double p = point->pressure;
             least = std::min(least, p), most = std::max(most, p);
-            if (!is_answer(*curve.own)) return;
-            const detail::Law* const law = &part.law_at(i);
-            if (before && law != before)
-                panel.changes.push_back({std::sqrt(last * p) * units.pressure.factor, before->name, law->name});
-            before = law, last = p;
-        });
+            if (!curve.is_answer) continue;
+            if (before != LawName::none && point->law != before)
+                panel.changes.push_back(
+                    {std::sqrt(last * p) * units.pressure.factor, name_of(before), name_of(point->law)});
+            before = point->law, last = p;
+        }
     // a straight line on logarithmic axes: two points are enough
     PlotLine reference{.label = "p/(0.48 σ)", .colour = neutral};
     for (const double p : {least, most}) {
@@ -195,37 +192,33 @@ std::string table_of(const std::string& file) {
 
 }  // namespace
 
-Figure results_figure(const scene::Scene& scene, const actions::Results& results,
-                      const std::optional<actions::Results>& between) {
+Figure results_figure(const Answered& answered, const std::optional<Answered>& between) {
+    const auto& scene = *answered.scene;
     if (!scene.needs_stiffness())
         throw domain_error(scene.file + ": output.quantities: must name \"stiffness\" for a picture of K(p)");
-    std::vector<DrawnCurve> curves = curves_of(results, between);
+    std::vector<DrawnCurve> curves = curves_of(answered, between);
     const std::size_t count = curves.size();  // of many curves the first ones are drawn, and the truth of a map
     for (std::size_t k = most_curves; k < count; ++k)
         if (is_truth(*curves[k].own)) std::swap(curves[k], curves[most_curves - 1]);
-    const actions::Units units = units_of(scene, results);
+    const actions::Units units = units_of(answered);
     Figure figure{.title = "Contact stiffness: " + scene.name,
-                  .explanation = results.short_explanation,
-                  .panels = {stiffness_panel(scene, curves, units)},
+                  .explanation = answered.short_explanation,
+                  .panels = {stiffness_panel(scene.joint, curves, units)},
                   .note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
-                          ", σ = " + document::with_unit(scene.face.parameters.rms_height.value, "m", 4)};
+                          ", σ = " + document::with_unit(scene.joint.face.parameters.rms_height.value, "m", 4)};
     if (count > most_curves)
         figure.note += "; " + std::to_string(most_curves) + " of " + std::to_string(count) +
                        " curves are drawn, fstiff run --format csv has the numbers of all";
-    using enum scene::CurveQuantity;
     const std::string waves =
-        scene.ultrasound ? ", " + document::rounded(scene.ultrasound->frequency / 1e6) + " MHz" : "";
-    for (const auto& [quantity, title] :
-         {std::pair(reflection, "Reflection of longitudinal waves" + waves),
-          std::pair(shear_reflection, "Reflection of shear waves" + waves),
-          std::pair(loss_factor, std::string("Loss factor of a tangential cycle")),
-          std::pair(thermal_conductance, std::string("Thermal conductance of the spots")),
-          std::pair(thermal_conductance_gap, std::string("Thermal conductance of the gap")),
-          std::pair(electrical_conductance, std::string("Electrical conductance of the spots"))}) {
-        if (!scene.asks(quantity)) continue;
-        figure.panels.push_back(panel_of(curves, quantity, title, units));
-        if (quantity == reflection || quantity == shear_reflection) frame_reflection(figure.panels.back());
-    }
+        scene.joint.ultrasound ? ", " + document::rounded(scene.joint.ultrasound->frequency / 1e6) + " MHz" : "";
+    const auto is_reflection = [](const AnswerQuantity& quantity) { return (quantity.needs & quantity.waves) != 0; };
+    for (const bool of_waves : {true, false})  // which are next to the range of K that they resolve
+        for (const AnswerQuantity& quantity : answer_quantities()) {
+            if (quantity.title.empty() || is_reflection(quantity) != of_waves || !scene.asks(quantity.word)) continue;
+            figure.panels.push_back(
+                panel_of(curves, quantity, std::string(quantity.title) + (of_waves ? waves : ""), units));
+            if (of_waves) frame_reflection(figure.panels.back());
+        }
     return figure;
 }
 

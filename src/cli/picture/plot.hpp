@@ -5,7 +5,7 @@
 //
 // panels.cpp makes the figure of results and its files, svg.cpp draws it by the ticks of scale.hpp.
 
-#include "actions/results.hpp"
+#include "actions/answered.hpp"
 #include "document/output.hpp"
 
 #include <cmath>
@@ -68,8 +68,7 @@ struct Figure {
 /// K(p) of \p scene with marks at its points, on lines through these and the points \p between them; below it what
 /// follows from K and is asked for. In the units of the tables.
 /// \throws domain_error when the scene asks for no stiffness.
-[[nodiscard]] Figure results_figure(const scene::Scene& scene, const actions::Results& results,
-                                    const std::optional<actions::Results>& between);
+[[nodiscard]] Figure results_figure(const actions::Answered& answered, const std::optional<actions::Answered>& between);
 /// \p figure as a file of its own.
 [[nodiscard]] std::string svg(const Figure& figure);
 /// Before anything is read: no input may be \p file or the table of its numbers, FILE.plot.csv. Does nothing without a
