@@ -6,7 +6,7 @@
 // MAP: POINTS x POINTS heights, 64-bit floats, of a repeating square of side 1. PRESSURES: the file that takes the
 // pressures at the points; P: mean pressures over E. Prints one line of CSV each; seconds are the least processor time
 // of three. half_space.py makes maps and compares with Tamaas where it is installed.
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -34,10 +34,12 @@ fstiff::HeightMap<double> read(const char* name, Eigen::Index points) {
 void time_truth(const fstiff::HeightMap<double>& map, double pressure) {
     const std::vector<double> pressures{pressure};
     double least = std::numeric_limits<double>::infinity();
-    fstiff::TruthPoint<double> point;
+    fstiff::HalfSpacePoint<double> point;
     for (int repetition = 0; repetition < 3; ++repetition) {
         const std::clock_t begin = std::clock();
-        point = fstiff::truth(map, 1.0, pressures, {.points = map.columns(), .edges = fstiff::Edges::periodic}).front();
+        point =
+            fstiff::solve_half_space(map, 1.0, pressures, {.points = map.columns(), .edges = fstiff::Edges::periodic})
+                .front();
         least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
     const auto& state = point.state;

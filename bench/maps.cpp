@@ -9,7 +9,7 @@
 //     fstiff_maps file KIND SEED SIZE FILE.gsf        the map, with steps of 0.5 um
 #include "support/map_kinds.hpp"
 
-#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/crossover.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
@@ -18,8 +18,8 @@
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 
@@ -46,11 +46,11 @@ struct Laws {
           rms_height(fstiff::rms_height(map)) {}
 
     static constexpr fstiff::Edges edges = fstiff::Edges::periodic;
-    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::HandOver<double>>;
+    using Hybrid = fstiff::HybridContact<double, fstiff::SummitContact<double>, fstiff::Crossover<double>>;
 
     static Hybrid of_map(const fstiff::HeightMap<double>& map, const fstiff::Summits<double>& summits) {
         const auto order = fstiff::detail::gaussian_order(map);
-        const fstiff::BearingContact<double> crowded(
+        const fstiff::MaterialRatioContact<double> crowded(
             fstiff::PerssonContact<double>(fstiff::map_spectrum(order.map, edges), 1.0), order.curve, order.rms_height);
         return {fstiff::SummitContact<double>(summits, 1.0), crowded,
                 fstiff::detail::hand_over_of(summits, crowded, edges)};
@@ -87,7 +87,7 @@ public:
         add("numbers, skewness and kurtosis", m, fstiff::detail::bearing_of_moments(shape.skewness, shape.kurtosis));
         add("numbers, Sk to Smr2", m,
             fstiff::detail::bearing_of_core(fstiff::detail::material_ratio(heights)).scaled(unit));
-        add("numbers, bearing curve", m, fstiff::BearingSlope<double>::of_heights(heights).scaled(unit));
+        add("numbers, bearing curve", m, fstiff::MaterialRatioSlope<double>::of_heights(heights).scaled(unit));
         for (const Eigen::Index rows : {1, 4, 16}) of_rows(map, across, rows);
     }
     template <class Use>
@@ -104,7 +104,7 @@ private:
         return fstiff::detail::band_of_moments(m, 0.8);
     }
     void add(const std::string& name, const fstiff::SpectralMoments<double>& m,
-             const fstiff::BearingSlope<double>& curve) {
+             const fstiff::MaterialRatioSlope<double>& curve) {
         laws_.emplace(name, fstiff::hybrid_of_band(band(m), curve, 1.0));
     }
     /// \p count rows of \p map, or columns across a lay, as traces of one surface: by their moments, and by shape too.

@@ -128,7 +128,7 @@ Joint joint_of(const Solid& upper, const Solid& lower, const Numbers& numbers) {
             return Impedances<double>{acoustic_impedance(*upper.density, *a), acoustic_impedance(*lower.density, *b)};
         };
         if (upper.velocity && lower.velocity)
-            joint.waves = Waves{*frequency, impedances(upper.velocity, lower.velocity), {}};
+            joint.waves = UltrasonicWaves{*frequency, impedances(upper.velocity, lower.velocity), {}};
         if (joint.waves) joint.waves->film_stiffness = number("film_stiffness").value_or(0);
         if (joint.waves && upper.shear_velocity && lower.shear_velocity)
             joint.waves->shear = impedances(upper.shear_velocity, lower.shear_velocity);
@@ -188,7 +188,7 @@ struct Columns {
         if (column.empty()) column.assign(count * pressures, none);
         return column[place];
     }
-    void put(const AnswerQuantity& quantity, std::size_t place, const Banded& value) {
+    void put(const AnswerQuantity& quantity, std::size_t place, const WithBand& value) {
         at(quantity.key(), place) = value.value;
         if (!quantity.follows_stiffness()) return;
         at(quantity.key("_p05"), place) = value.low;
@@ -214,7 +214,7 @@ struct Columns {
                 at("causes/" + std::string(name_of(static_cast<Cause>(c))), place) = shares[c];
             for (const AnswerQuantity* quantity : wanted) {
                 const AnswerPoint::Value* value = point.find(quantity->word);
-                put(*quantity, place, value ? value->number : Banded{});
+                put(*quantity, place, value ? value->number : WithBand{});
             }
         }
         std::vector<std::string>& names = concerns.emplace_back();

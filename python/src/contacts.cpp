@@ -29,11 +29,11 @@
 namespace fstiff {
 
 template <>
-inline constexpr auto names<OutsideRange> = detail::name_list<OutsideRange>({{OutsideRange::refuse, "refuse"},
-                                                                             {OutsideRange::clamp, "clamp"},
-                                                                             {OutsideRange::exact, "exact"},
-                                                                             {OutsideRange::extrapolate,
-                                                                              "extrapolate"}});
+inline constexpr auto enum_names<OutsideRange> = detail::name_list<OutsideRange>({{OutsideRange::refuse, "refuse"},
+                                                                                  {OutsideRange::clamp, "clamp"},
+                                                                                  {OutsideRange::exact, "exact"},
+                                                                                  {OutsideRange::extrapolate,
+                                                                                   "extrapolate"}});
 
 }  // namespace fstiff
 
@@ -153,7 +153,7 @@ Joint joint_of(const std::map<std::string, double>& numbers, const std::string& 
                           .yield_strength = number("yield_strength"),
                           .hardness = number("hardness")},
                 .effective_modulus = number("effective_modulus"),
-                .interaction = {parse<InteractionReading>(interaction, "interaction"),
+                .interaction = {from_name<InteractionReading>(interaction, "interaction"),
                                 number("interaction_length").value_or(0)}};
     if (measured) joint.face.measured = fstiff::measured_face(measured->found);
     return joint;
@@ -265,9 +265,9 @@ TabulatedLaw law_of_answer(const In& pressures, const In& low, const In& value, 
     Answer answer;
     answer.rms_height = rms_height;
     for (std::size_t i = 0; i < pressures.size(); ++i)
-        if (const Banded K{low.data()[i], value.data()[i], high.data()[i]}; !std::isnan(K.value))
+        if (const WithBand K{low.data()[i], value.data()[i], high.data()[i]}; !std::isnan(K.value))
             answer.points.push_back({.pressure = pressures.data()[i], .stiffness = K});
-    const auto policy = parse<OutsideRange>(outside, "outside");
+    const auto policy = from_name<OutsideRange>(outside, "outside");
     const nb::gil_scoped_release free;
     return answer.law_at(quantile, {min_pressure, max_pressure, policy});
 }
@@ -337,7 +337,7 @@ void add_contacts(nb::module_& m) {
             [](const OneContact& contact, double min_pressure, double max_pressure, const std::string& outside) {
                 return contact.contact->tabulate({.min_pressure = min_pressure,
                                                   .max_pressure = max_pressure,
-                                                  .outside = parse<OutsideRange>(outside, "outside")});
+                                                  .outside = from_name<OutsideRange>(outside, "outside")});
             },
             nb::arg("min_pressure"), nb::arg("max_pressure"), nb::arg("outside"), nb::keep_alive<0, 1>(),
             nb::call_guard<nb::gil_scoped_release>())

@@ -49,7 +49,7 @@ nb::list columns_of(const actions::Answered& answered) {
     };
     std::vector<Column> all;
     for (const AnswerCurve& curve : answered.curves()) {
-        const document::Rows rows = point_rows(scene, curve, answered.has_band());
+        const document::Rows rows = actions::point_rows(scene, curve, answered.has_band());
         std::size_t place = 0;
         for (const document::Rows::Column& column : rows.columns()) {
             if (!column.heading.csv || column.heading.key.empty()) continue;
@@ -81,7 +81,7 @@ nb::dict run(const Scene& scene) {
     }();
     nb::list curves;
     for (const AnswerCurve& curve : answered.curves())
-        curves.append(nb::make_tuple(laws_of(curve), curve.theta, curve.r, count_of(curve)));
+        curves.append(nb::make_tuple(actions::laws_of(curve), curve.theta, curve.r, actions::count_of(curve)));
     nb::dict bands;  // of a column: those of the ends of its band
     for (const scene::NumberOf& column : scene.columns(answered.has_band()))
         if (column.part == "_p05")
@@ -100,8 +100,8 @@ nb::dict run(const Scene& scene) {
             checks.append(nb::make_tuple(of, std::string(name_of(check.concern)), check.least, check.greatest,
                                          check.limit, check.holds()));
     };
-    add_checks("surface", surface_checks(scene.joint));
-    for (const AnswerCurve& curve : answered.curves()) add_checks(title(curve), curve.checks);
+    add_checks("surface", actions::surface_checks(scene.joint));
+    for (const AnswerCurve& curve : answered.curves()) add_checks(actions::title(curve), curve.checks);
     all["checks"] = checks;
     all["answer_table"] = answered.has_answer() ? answer_table(answered) : document::TextRows();
     all["document"] = run_document(answered).str();

@@ -246,7 +246,7 @@ void add_surfaces(nb::module_& m) {
             if (unit == "rad") return io::parse_angle(text, name);
             if (name.ends_with("mean_height"))
                 if (const auto of_grade = request::mean_height_of_grade(text)) return *of_grade;
-            for (const auto& [dimension, _] : names<io::Dimension>)
+            for (const auto& [dimension, _] : enum_names<io::Dimension>)
                 if (request::si_unit(dimension) == unit) return io::parse_quantity(text, dimension, name);
             throw std::logic_error("no kind of quantity has the unit " + unit);
         },

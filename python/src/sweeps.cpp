@@ -32,13 +32,13 @@ public:
                 const Value& value = block.values[row.scene][i];
                 axes_[i].push_back(grid_.axes[i].is_text() ? static_cast<double>(value.place) : value.number);
             }
-            const std::string_view law = row.law == LawName::none ? std::string_view() : name_of(row.law);
+            const std::string_view law = row.law == LawKind::none ? std::string_view() : name_of(row.law);
             const auto known = std::find(names_.begin(), names_.end(), law);
             laws_.push_back(static_cast<double>(known - names_.begin()));
             if (known == names_.end()) names_.emplace_back(law);
             answers_.push_back(row.answer);
             if (!row.error.empty()) errors_[place] = row.error;
-            if (row.law == LawName::none) continue;
+            if (row.law == LawKind::none) continue;
             const double* number = block.numbers.data() + row.begin;
             put(place, "theta", *number++);
             put(place, "r", *number++);

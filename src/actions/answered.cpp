@@ -66,12 +66,12 @@ std::size_t count_of(const AnswerCurve& curve) {
 }
 
 std::string laws_of(const AnswerCurve& curve) {
-    std::vector<LawName> laws;
+    std::vector<LawKind> laws;
     for (const AnswerPoint& point : curve.points)
         if (point.ok() && std::find(laws.begin(), laws.end(), point.law) == laws.end()) laws.push_back(point.law);
     if (laws.empty()) laws.push_back(curve.law);
     std::string text;
-    for (const LawName law : laws) text += (text.empty() ? "" : " and ") + std::string(name_of(law));
+    for (const LawKind law : laws) text += (text.empty() ? "" : " and ") + std::string(name_of(law));
     return text;
 }
 

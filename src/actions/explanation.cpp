@@ -74,7 +74,7 @@ std::string instead_of_map(const detail::ResolvedJoint& joint) {
 
 /// Source of K beyond the names of the laws; may be empty.
 std::string source_of(const detail::ResolvedJoint& joint, const Answer& answer) {
-    const auto solved = [](const AnswerPoint& point) { return point.law == LawName::boundary_elements; };
+    const auto solved = [](const AnswerPoint& point) { return point.law == LawKind::boundary_elements; };
     const auto count = static_cast<std::size_t>(std::count_if(answer.points.begin(), answer.points.end(), solved));
     const auto& map = joint.face.map;
     const std::string missing = scene::missing_phrase(joint.face),

@@ -17,7 +17,7 @@ enum class Solver { calculix, abaqus, moose, comsol, law };
 }  // namespace fstiff::actions
 
 template <>
-inline constexpr auto fstiff::names<fstiff::actions::Solver> =
+inline constexpr auto fstiff::enum_names<fstiff::actions::Solver> =
     detail::name_list<actions::Solver>({{actions::Solver::calculix, "calculix"},
                                         {actions::Solver::abaqus, "abaqus"},
                                         {actions::Solver::moose, "moose"},

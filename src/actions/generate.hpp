@@ -26,12 +26,12 @@ enum class GeneratedForm { csv, sdf, sdf_text };
 }  // namespace fstiff::actions
 
 template <>
-inline constexpr auto fstiff::names<fstiff::actions::GeneratedKind> =
+inline constexpr auto fstiff::enum_names<fstiff::actions::GeneratedKind> =
     detail::name_list<actions::GeneratedKind>({{actions::GeneratedKind::wm, "wm"},
                                                {actions::GeneratedKind::profile, "profile"},
                                                {actions::GeneratedKind::map, "map"}});
 template <>
-inline constexpr auto fstiff::names<fstiff::actions::GeneratedForm> =
+inline constexpr auto fstiff::enum_names<fstiff::actions::GeneratedForm> =
     detail::name_list<actions::GeneratedForm>({{actions::GeneratedForm::csv, "csv"},
                                                {actions::GeneratedForm::sdf, "sdf"},
                                                {actions::GeneratedForm::sdf_text, "sdf-text"}});

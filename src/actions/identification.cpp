@@ -165,7 +165,8 @@ Identification<double> found_by(const ResolvedJoint& problem, const Fit& fit, co
 }
 
 /// \p point with K times \p factor, and the reflection of that.
-Observation<double> scaled(Observation<double> point, double factor, const std::optional<Wave<double>>& wave) try {
+Observation<double> scaled(Observation<double> point, double factor,
+                           const std::optional<ObservedWave<double>>& wave) try {
     if (!wave) return {point.pressure, factor * point.value, factor * point.error};
     const auto& [media, omega, ratio, film] = *wave;
     const double K = stiffness_from_reflection(point.value, media, omega) - film;
@@ -208,7 +209,7 @@ void widen_by_law(const ResolvedJoint& problem, Fit& fit, detail::FitInputs inpu
 } catch (const domain_error&) {  // no surface has K so far from the data
 }
 
-std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
+std::optional<ObservedWave<double>> wave_of(const Scene& scene, const MeasuredCurve& curve, const FitRequest& request) {
     const std::string name = option_name(request.prefix, "wave");
     if (!curve.is_reflection && request.shear)
         throw option_error(name + " shear is for measured reflections; " + curve.name + " holds stiffnesses");
@@ -216,12 +217,12 @@ std::optional<Wave<double>> wave_of(const Scene& scene, const MeasuredCurve& cur
     if (!scene.joint.ultrasound)
         throw domain_error(scene.file + ": ultrasound: is missing; the reflections of " + curve.name +
                            " need the section");
-    const Waves& waves = *scene.joint.ultrasound;
-    if (!request.shear) return Wave<double>{waves.longitudinal, waves.angular(), 1, waves.film_stiffness};
+    const UltrasonicWaves& waves = *scene.joint.ultrasound;
+    if (!request.shear) return ObservedWave<double>{waves.longitudinal, waves.angular(), 1, waves.film_stiffness};
     if (!waves.shear)
         throw domain_error(scene.file + ": ultrasound.upper.shear_impedance: is missing; " + name +
                            " shear needs it, or density and shear_velocity");
-    return Wave<double>{*waves.shear, waves.angular(), tangential_ratio(scene.joint.upper, scene.joint.lower)};
+    return ObservedWave<double>{*waves.shear, waves.angular(), tangential_ratio(scene.joint.upper, scene.joint.lower)};
 }
 
 /// The laws to fit: the one that is asked for, or those of the scene, which is that of the answer where none is named.

@@ -26,7 +26,7 @@ enum class WaveKind { longitudinal, shear };
 }  // namespace fstiff::actions
 
 template <>
-inline constexpr auto fstiff::names<fstiff::actions::WaveKind> = detail::name_list<actions::WaveKind>(
+inline constexpr auto fstiff::enum_names<fstiff::actions::WaveKind> = detail::name_list<actions::WaveKind>(
     {{actions::WaveKind::longitudinal, "longitudinal"}, {actions::WaveKind::shear, "shear"}});
 
 namespace fstiff::actions {
@@ -90,9 +90,9 @@ struct Fit {
 
 struct Fits {
     std::vector<Fit> fits;
-    std::optional<Wave<double>> wave;   ///< of measured reflections
-    std::vector<std::string> warnings;  ///< sentences on the scene and on every fit
-    bool doubtful = false;              ///< a fit failed, all are doubtful, or a parameter that is held is not known
+    std::optional<ObservedWave<double>> wave;  ///< of measured reflections
+    std::vector<std::string> warnings;         ///< sentences on the scene and on every fit
+    bool doubtful = false;  ///< a fit failed, all are doubtful, or a parameter that is held is not known
 };
 
 /// \throws option_error for a request that the curve has no use for, domain_error naming what the scene or the curve

@@ -128,7 +128,7 @@ void add_bodies(const Answered& answered, std::vector<InputLine>& lines) {
         parts.push_back("plasticity index " + document::rounded(*index, 3));
     if (!parts.empty()) lines.push_back({"contact", parts});
     if (scene.joint.ultrasound) {
-        const Waves& waves = *scene.joint.ultrasound;
+        const UltrasonicWaves& waves = *scene.joint.ultrasound;
         const auto pair = [](const Impedances<double>& z) {
             return document::rounded(z.incident / 1e6) + " and " + document::rounded(z.beyond / 1e6) + " MRayl";
         };

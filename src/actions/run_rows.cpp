@@ -195,7 +195,7 @@ Json run_document(const Answered& answered) {
     if (scene.asks("tangential_stiffness") || scene.asks("shear_reflection"))
         document["tangential_ratio"] = tangential_ratio(scene.joint.upper, scene.joint.lower);
     if (scene.joint.ultrasound) {
-        const Waves& waves = *scene.joint.ultrasound;
+        const UltrasonicWaves& waves = *scene.joint.ultrasound;
         Json& entry = document["ultrasound"] = {{"frequency_Hz", waves.frequency},
                                                 {"impedance_Rayl", waves.longitudinal.incident},
                                                 {"impedance2_Rayl", waves.longitudinal.beyond},

@@ -22,7 +22,7 @@ enum class SpectrumKind { psd, acf };
 }  // namespace fstiff::actions
 
 template <>
-inline constexpr auto fstiff::names<fstiff::actions::SpectrumKind> = detail::name_list<actions::SpectrumKind>(
+inline constexpr auto fstiff::enum_names<fstiff::actions::SpectrumKind> = detail::name_list<actions::SpectrumKind>(
     {{actions::SpectrumKind::psd, "psd"}, {actions::SpectrumKind::acf, "acf"}});
 
 namespace fstiff::actions {

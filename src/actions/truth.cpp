@@ -20,14 +20,14 @@ std::size_t count(const TruthOfMap& solved, const Test& test) {
 }
 
 /// All of the map is in contact, so that there is no K.
-bool is_closed(const TruthPoint<double>& point) { return std::isinf(point.state.stiffness); }
+bool is_closed(const HalfSpacePoint<double>& point) { return std::isinf(point.state.stiffness); }
 
 std::string shown_pressure(double pressure) { return document::unit_of_pressure(pressure)(pressure, 3); }
 
 /// The first pressure at which a contact carries more than its hardness; null where none does.
-const TruthPoint<double>* first_flowing(const TruthOfMap& solved) {
+const HalfSpacePoint<double>* first_flowing(const TruthOfMap& solved) {
     if (!(solved.flows_above > 0)) return nullptr;
-    const auto flowing = std::find_if(solved.at.begin(), solved.at.end(), [&](const TruthPoint<double>& point) {
+    const auto flowing = std::find_if(solved.at.begin(), solved.at.end(), [&](const HalfSpacePoint<double>& point) {
         return point.state.max_pressure > solved.flows_above;
     });
     return flowing == solved.at.end() ? nullptr : &*flowing;
@@ -46,7 +46,7 @@ void add_doubts(document::Document& document, const TruthOfMap& solved, const st
           "K changes by more than a fifth from the grid half as fine at ",
           of_all + "the contacts there are a few points wide (" + points_option + ", or a finer map)");
     doubt(count(solved, [](const auto& point) { return !point.state.converged; }), "", " solutions did not converge");
-    if (const TruthPoint<double>* most = first_flowing(solved))
+    if (const HalfSpacePoint<double>* most = first_flowing(solved))
         document.warnings.push_back(
             "elastic pressures of up to " + shown_pressure(most->state.max_pressure) +
             " at p = " + shown_pressure(most->state.pressure) + " exceed the hardness of the softer body, " +
@@ -74,7 +74,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const surface::SurfaceInput
     solved.rms_gradient = map.areal.rms_gradient;
     solved.points = std::min<Eigen::Index>(options.points, std::max(map.map.columns(), map.map.rows()));
     if (!(options.hardness > 0)) solved.flows_above = options.known_hardness;
-    solved.at = truth(
+    solved.at = solve_half_space(
         map.map, solved.modulus, options.pressures,
         {.points = options.points, .edges = options.edges, .hardness = options.hardness, .progress = options.progress});
     for (const auto& [state, stiffness_error, gap_error] : solved.at)
@@ -91,7 +91,7 @@ TruthOfMap truth_of_map(const TruthRequest& options, const surface::SurfaceInput
 }
 
 document::Rows pressure_rows(const TruthOfMap& solved) {
-    using Point = const TruthPoint<double>&;
+    using Point = const HalfSpacePoint<double>&;
     std::vector<double> stiffnesses;
     for (const auto& point : solved.at) stiffnesses.push_back(point.state.stiffness);
     const document::ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");

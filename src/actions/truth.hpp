@@ -6,7 +6,7 @@
 #include "surface/surface_file.hpp"
 
 #include <fstiff/core/parallel.hpp>
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 
 #include <optional>
 #include <string>
@@ -40,7 +40,7 @@ struct TruthOfMap {
     double modulus = 0, rms_height = 0, rms_gradient = 0;
     Eigen::Index points = 0;  ///< along the longer side, after coarsening
     double flows_above = 0;   ///< the hardness that elastic pressures may exceed [Pa]; 0: not known, or cut there
-    std::vector<TruthPoint<double>> at;
+    std::vector<HalfSpacePoint<double>> at;
 };
 
 /// \throws domain_error in one sentence, for a profile too, and where all of the map is in contact at every pressure.

@@ -66,7 +66,7 @@ void warn_of_hardness(Answered& answered) {
     const double limit = detail::max_compared_flow * answered.answer.hardness;
     for (const AnswerCurve* curve : answered.shown_curves())
         for (const AnswerPoint& point : curve->points) {
-            if (point.law != LawName::plastic || !(point.pressure > limit)) continue;
+            if (point.law != LawKind::plastic || !(point.pressure > limit)) continue;
             answered.doubtful = answered.doubtful || answered.is_answer(*curve);
             return answered.warnings.push_back(
                 "law plastic was compared up to " + document::with_unit(limit, "Pa", 3) + ", " +

@@ -152,8 +152,8 @@ int fstiff_answer_law(const fstiff_joint* joint, const double* pressures, size_t
 }
 
 const char* fstiff_law_name(int law) {
-    constexpr int count = static_cast<int>(fstiff::names<fstiff::LawName>.size());
-    return law >= 0 && law < count ? name_of(static_cast<fstiff::LawName>(law)).data() : "unknown law";
+    constexpr int count = static_cast<int>(fstiff::enum_names<fstiff::LawKind>.size());
+    return law >= 0 && law < count ? name_of(static_cast<fstiff::LawKind>(law)).data() : "unknown law";
 }
 
 const char* fstiff_cause_name(int cause) {

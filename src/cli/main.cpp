@@ -41,7 +41,7 @@ int execute(const Command& command) {
 /// The units of every kind of quantity.
 std::string units() {
     std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
-    for (const auto& [dimension, name] : names<io::Dimension>)
+    for (const auto& [dimension, name] : enum_names<io::Dimension>)
         text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') + io::accepted_units(dimension);
     return text;
 }

@@ -27,7 +27,7 @@ enum class Format { table, csv, json };
 }  // namespace fstiff::document
 
 template <>
-inline constexpr auto fstiff::names<fstiff::document::Format> = detail::name_list<document::Format>(
+inline constexpr auto fstiff::enum_names<fstiff::document::Format> = detail::name_list<document::Format>(
     {{document::Format::table, "table"}, {document::Format::csv, "csv"}, {document::Format::json, "json"}});
 
 namespace fstiff::document {

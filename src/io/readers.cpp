@@ -18,7 +18,7 @@ constexpr std::array all_readers{&profile_reader,  &triples_reader, &matrix_read
                                  &npy_reader,      &gsf_reader,     &gwy_reader,    &sur_reader,  &smd_reader,
                                  &metropro_reader, &vk4_reader,     &opd_reader,    &al3d_reader, &plu_reader,
                                  &plux_reader,     &stl_reader,     &netcdf_reader, &opdx_reader};
-static_assert(all_readers.size() + 1 == names<SurfaceFormat>.size(), "every form but automatic has a row");
+static_assert(all_readers.size() + 1 == enum_names<SurfaceFormat>.size(), "every form but automatic has a row");
 
 }  // namespace
 

@@ -132,7 +132,7 @@ void put(const Value& value, Whole& to, std::string_view key, const Field& field
 template <detail::NamedEnum Enum>
 void put(const Value& value, Enum& to, std::string_view key, const Field&) {
     constexpr auto words = detail::choices<Enum>();
-    to = names<Enum>[word(value, key, {words.begin(), words.end()})].value;
+    to = enum_names<Enum>[word(value, key, {words.begin(), words.end()})].value;
 }
 template <class Member>
 void put(const Value& value, std::optional<Member>& to, std::string_view key, const Field& field) {

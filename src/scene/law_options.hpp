@@ -18,18 +18,18 @@ class Section;
 namespace fstiff::scene {
 
 /// The laws that have options.
-inline constexpr std::array laws_with_options{LawName::summits, LawName::persson, LawName::boundary_elements};
+inline constexpr std::array laws_with_options{LawKind::summits, LawKind::persson, LawKind::boundary_elements};
 
 /// Hands over the options of \p law.
 template <class Take>
-void each_law_option(LawName law, detail::LawOptions& options, Take take) {
+void each_law_option(LawKind law, detail::LawOptions& options, Take take) {
     using request::Field;
-    if (law == LawName::summits) take("mutual", options.mutual, Field{.form = request::Form::or_number});
-    if (law == LawName::persson) {
+    if (law == LawKind::summits) take("mutual", options.mutual, Field{.form = request::Form::or_number});
+    if (law == LawKind::persson) {
         take("gamma", options.gamma, Field{.high = 1, .above_low = true});
         take("spectrum", options.spectrum, Field{});
     }
-    if (law == LawName::boundary_elements) {
+    if (law == LawKind::boundary_elements) {
         take("points", options.points, Field{.low = 16, .high = 4096});
         take("edges", options.edges, Field{});
         take("hardness", options.hardness, request::positive(io::Dimension::pressure));
@@ -37,10 +37,10 @@ void each_law_option(LawName law, detail::LawOptions& options, Take take) {
 }
 
 /// Whether the section of \p law may also be at the root of a scene; its options count for other laws too.
-constexpr bool is_shared(LawName law) { return law == LawName::persson || law == LawName::boundary_elements; }
+constexpr bool is_shared(LawKind law) { return law == LawKind::persson || law == LawKind::boundary_elements; }
 
 /// Reads the section contact.\p law, or \p law at \p root, into \p scene. Of a section that is not shared the
 /// defaults are recorded.
-void read_law_options(request::Source& source, const request::Section& root, LawName law, Scene& scene);
+void read_law_options(request::Source& source, const request::Section& root, LawKind law, Scene& scene);
 
 }  // namespace fstiff::scene

@@ -4,8 +4,8 @@
 #include "scene/readers.hpp"
 
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ detail::MaterialRatio<double> read_core(Source& source, const Section& surface, 
     return core;
 }
 
-BearingSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
+MaterialRatioSlope<double> read_heights(Source& source, const toml::node& node, const std::string& key) {
     constexpr std::size_t least = 10;
     const auto* list = node.as_array();
     if (!list || list->size() < least)
@@ -86,7 +86,7 @@ BearingSlope<double> read_heights(Source& source, const toml::node& node, const 
     std::vector<double> heights;
     for (std::size_t i = 0; i < list->size(); ++i)
         heights.push_back(source.quantity((*list)[i], key + "[" + std::to_string(i) + "]", Dimension::length));
-    return source.located(node, [&] { return BearingSlope<double>::of_heights(heights); });
+    return source.located(node, [&] { return MaterialRatioSlope<double>::of_heights(heights); });
 }
 
 }  // namespace

@@ -268,7 +268,7 @@ Body read_body(Source& source, const toml::table* table, const std::string& key,
 
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     const Section section(source, table, "ultrasound", {"frequency", "film_stiffness", "upper", "lower"});
-    Waves waves;
+    UltrasonicWaves waves;
     waves.frequency = section.positive("frequency", Dimension::frequency);
     if (!std::isfinite(waves.angular()) || waves.angular() == 0)
         source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");

@@ -19,7 +19,7 @@ namespace {
 
 /// The section contact.\p law, or \p law at the root where it is shared; null where there is neither. \p path is where
 /// it was found.
-const toml::table* section_of_law(request::Source& source, const Section& root, LawName law, std::string& path) {
+const toml::table* section_of_law(request::Source& source, const Section& root, LawKind law, std::string& path) {
     const std::string name(name_of(law));
     const toml::node* contact = root.find("contact");
     const toml::node* within = contact && contact->is_table() ? contact->as_table()->get(name) : nullptr;
@@ -36,7 +36,7 @@ const toml::table* section_of_law(request::Source& source, const Section& root, 
 
 }  // namespace
 
-void read_law_options(request::Source& source, const Section& root, LawName law, Scene& scene) {
+void read_law_options(request::Source& source, const Section& root, LawKind law, Scene& scene) {
     std::string path;
     static const toml::table none;
     const toml::table* table = section_of_law(source, root, law, path);
@@ -305,7 +305,7 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 }  // namespace
 
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
-    for (const LawName law : laws_with_options)
+    for (const LawKind law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
     if (const auto spectrum = scene.joint.law_options.spectrum)
         scene.joint.face.write(
@@ -313,12 +313,12 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
     std::vector<std::string_view> keys{"nominal_area", "washer",      "ball_radius", "pressures",
                                        "pressure",     "separations", "force",       "seating",
                                        "laws",         "peaks",       "interaction"};
-    for (const LawName law : laws_with_options) keys.push_back(name_of(law));
+    for (const LawKind law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     read_area(source, contact, scene, replaced);
     read_points(source, root, contact, scene);
     read_laws(source, root, contact, scene, replaced);
-    for (const LawName law : laws_with_options)  // checked, though no law of the scene takes them
+    for (const LawKind law : laws_with_options)  // checked, though no law of the scene takes them
         if (!is_shared(law) && contact.find(name_of(law)) &&
             std::none_of(scene.laws.begin(), scene.laws.end(),
                          [&](const detail::Law* known) { return known->which == law; }))

@@ -81,7 +81,7 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
     surface.cut_offs.lambda_s = cut_off("lambda_s_m");
     surface.cut_offs.lambda_c = cut_off("lambda_c_m");
     if (const std::string filter = text_of(document, "filter"); !filter.empty())
-        surface.cut_offs.filter = parse<CutOffFilter>(filter, name + ": filter");
+        surface.cut_offs.filter = from_name<CutOffFilter>(filter, name + ": filter");
     surface.why_no_density = text_of(document, "no_peak_density");
     const auto read = [&](const char* key) -> std::optional<Measurement<double>> {
         const auto entry = values->find(key);

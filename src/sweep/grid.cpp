@@ -53,7 +53,7 @@ std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node
     }
     if (!node.is_string()) return std::nullopt;
     const std::string text = request::written(node);
-    for (const auto& [dimension, name] : names<Dimension>) {
+    for (const auto& [dimension, name] : enum_names<Dimension>) {
         try {
             return NumberWithUnit{io::parse_quantity(text, dimension, ""), dimension};
         } catch (const domain_error&) {

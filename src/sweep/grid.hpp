@@ -87,7 +87,7 @@ struct Given {
 namespace fstiff {
 
 template <>
-inline constexpr auto names<sweep::Mode> = detail::name_list<sweep::Mode>({{sweep::Mode::product, "product"},
-                                                                           {sweep::Mode::zip, "zip"}});
+inline constexpr auto enum_names<sweep::Mode> = detail::name_list<sweep::Mode>({{sweep::Mode::product, "product"},
+                                                                                {sweep::Mode::zip, "zip"}});
 
 }  // namespace fstiff

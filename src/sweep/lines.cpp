@@ -198,7 +198,7 @@ std::string lines_of(const Grid& grid, const Block& block) {
             begin = beginning(grid, block.first + row.scene, block.values[row.scene]);
         last = &row;
         text += begin;
-        if (row.law != LawName::none) {
+        if (row.law != LawKind::none) {
             const double* number = block.numbers.data() + row.begin;
             append_key(text, "law");
             text += '"';

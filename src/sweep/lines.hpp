@@ -16,7 +16,7 @@ namespace fstiff::sweep {
 /// One row of results, or why there is none.
 struct Row {
     std::size_t scene = 0;        ///< its place in the block
-    LawName law = LawName::none;  ///< none: the scene cannot be computed
+    LawKind law = LawKind::none;  ///< none: the scene cannot be computed
     std::size_t header = 0;       ///< its place among those of the block
     std::size_t begin = 0;        ///< of theta, r and its columns among the numbers of the block
     bool answer = false;

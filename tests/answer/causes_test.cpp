@@ -16,9 +16,9 @@ using test::relative_error;
 
 namespace {
 
-const std::vector<LawName> of_map{LawName::hybrid, LawName::boundary_elements, LawName::plastic, LawName::hertz};
+const std::vector<LawKind> of_map{LawKind::hybrid, LawKind::boundary_elements, LawKind::plastic, LawKind::hertz};
 
-LawName answers(std::vector<LawName> available, double points_in_contact) {
+LawKind answers(std::vector<LawKind> available, double points_in_contact) {
     return detail::answering_law<double>({.available = std::move(available), .points_in_contact = points_in_contact});
 }
 
@@ -29,21 +29,21 @@ double& high_of(Causes<double>& causes, Cause cause) { return causes[static_cast
 
 TEST_CASE("Boundary elements answer from 20 points in contact, where they are available") {
     const double unknown = std::numeric_limits<double>::quiet_NaN(), below = std::nextafter(20.0, 0.0);
-    CHECK(answers(of_map, 20) == LawName::boundary_elements);
-    CHECK(answers(of_map, 1e5) == LawName::boundary_elements);
-    for (const double points : {below, 0.0, unknown}) CHECK(answers(of_map, points) != LawName::boundary_elements);
-    CHECK(answers({LawName::hybrid}, 1e5) == LawName::hybrid);
+    CHECK(answers(of_map, 20) == LawKind::boundary_elements);
+    CHECK(answers(of_map, 1e5) == LawKind::boundary_elements);
+    for (const double points : {below, 0.0, unknown}) CHECK(answers(of_map, points) != LawKind::boundary_elements);
+    CHECK(answers({LawKind::hybrid}, 1e5) == LawKind::hybrid);
 }
 
 TEST_CASE("Plastic answers wherever it can, as it needs a hardness, and hybrid elsewhere") {
-    CHECK(answers(of_map, 0) == LawName::plastic);
-    CHECK(answers({LawName::hertz, LawName::hybrid}, 0) == LawName::hybrid);
+    CHECK(answers(of_map, 0) == LawKind::plastic);
+    CHECK(answers({LawKind::hertz, LawKind::hybrid}, 0) == LawKind::hybrid);
 }
 
 TEST_CASE("Peaks alone are answered by Hertz or Greenwood and Williamson, and no surface by no law") {
-    CHECK(answers({LawName::greenwood_williamson, LawName::hertz}, 0) == LawName::hertz);
-    CHECK(answers({LawName::greenwood_williamson}, 0) == LawName::greenwood_williamson);
-    for (const std::vector<LawName>& none : {std::vector<LawName>{}, {LawName::fractal}, {LawName::boundary_elements}})
+    CHECK(answers({LawKind::greenwood_williamson, LawKind::hertz}, 0) == LawKind::hertz);
+    CHECK(answers({LawKind::greenwood_williamson}, 0) == LawKind::greenwood_williamson);
+    for (const std::vector<LawKind>& none : {std::vector<LawKind>{}, {LawKind::fractal}, {LawKind::boundary_elements}})
         CHECK_THROWS_AS(answers(none, 0), domain_error);
 }
 

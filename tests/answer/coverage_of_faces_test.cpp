@@ -64,7 +64,7 @@ public:
             answer({.face = face, .upper = {.hardness = never_yields}, .effective_modulus = modulus}, of.pressures);
         for (std::size_t i = 0; i < of.pressures.size(); ++i) {
             if (!found.points[i].ok()) continue;
-            const Banded& band = found.points[i].stiffness;
+            const WithBand& band = found.points[i].stiffness;
             auto& [inside, all] = groups_[of.group];
             inside += band.low <= of.stiffness[i] && of.stiffness[i] <= band.high, ++all;
             widths_.push_back(band.high / band.low);

@@ -22,7 +22,7 @@ CauseSpread<double> of_shape(Question question, Measurement<double> skewness, Me
 }
 
 TEST_CASE("The error of a law is its table at the pressures of the table, and between its neighbours elsewhere") {
-    for (const auto& [law, name] : names<LawName>)
+    for (const auto& [law, name] : enum_names<LawKind>)
         for (const KnownAs known : {KnownAs::map, KnownAs::trace, KnownAs::numbers, KnownAs::height}) {
             CAPTURE(name, static_cast<int>(known));
             const detail::LawErrorRow row = detail::law_error_row(law, known);
@@ -43,7 +43,7 @@ TEST_CASE("The error of a law is its table at the pressures of the table, and be
 }
 
 TEST_CASE("The error of a law grows beyond its table without a step, and is the widest where p* is not known") {
-    Question question{.law = LawName::hybrid, .known = KnownAs::map};
+    Question question{.law = LawKind::hybrid, .known = KnownAs::map};
     const auto at = [&question](double p) {
         question.p_star = p;
         return law_error(question);
@@ -63,7 +63,7 @@ TEST_CASE("The error of a law grows beyond its table without a step, and is the 
 
 TEST_CASE("Waves as long as a map widen the error of its laws, and add nothing to that of a trace") {
     for (const KnownAs known : {KnownAs::map, KnownAs::trace}) {
-        Question question{.law = LawName::boundary_elements, .known = known, .p_star = 0.01};
+        Question question{.law = LawKind::boundary_elements, .known = known, .p_star = 0.01};
         const auto without = law_error(question);
         question.long_waves = 0.2;
         const auto with = law_error(question);
@@ -76,7 +76,7 @@ TEST_CASE("Waves as long as a map widen the error of its laws, and add nothing t
 TEST_CASE(
     "Heights that are far from Gaussian widen the error of traces and numbers at both ends, and not that of maps") {
     for (const KnownAs known : {KnownAs::trace, KnownAs::numbers}) {
-        Question question{.law = LawName::hybrid, .known = known, .p_star = 0.01};
+        Question question{.law = LawKind::hybrid, .known = known, .p_star = 0.01};
         const auto plain = law_error(question);
         const auto of = [&](double skewness, double kurtosis) {
             return of_shape(question, {skewness, 0.1}, {kurtosis, 0.2});
@@ -95,13 +95,13 @@ TEST_CASE(
         check(-0.6, 3.8, 1);
         check(2, 9, 1);
     }
-    const Question map{.law = LawName::hybrid, .known = KnownAs::map, .p_star = 0.01};
+    const Question map{.law = LawKind::hybrid, .known = KnownAs::map, .p_star = 0.01};
     CHECK(of_shape(map, {1, 0.1}, {5, 0.2}).low == law_error(map).low);
 }
 
 TEST_CASE("The error of plastic is that of p/H, does not grow where K goes as p/H, and that of hybrid for a great H") {
-    Question question{.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 1e-6, .hardness = 1e-4};
-    const detail::LawErrorRow row = detail::law_error_row(LawName::plastic, KnownAs::numbers);
+    Question question{.law = LawKind::plastic, .known = KnownAs::numbers, .p_star = 1e-6, .hardness = 1e-4};
+    const detail::LawErrorRow row = detail::law_error_row(LawKind::plastic, KnownAs::numbers);
     // hybrid has the part 4 (H/(E g))^2 of the square, and its own error grows below the least p*
     CHECK(test::relative_error(law_error(question).high, row.high[3] / 100.0) < 1e-4);
     question.hardness = 1e-5;
@@ -111,16 +111,16 @@ TEST_CASE("The error of plastic is that of p/H, does not grow where K goes as p/
     question.p_star = 1e-12;
     const auto least = law_error(question);
     CHECK(test::relative_error(least.high, std::sqrt(2.0) * row.high[0] / 100) < 3e-2);
-    question = {.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.1, .hardness = 1e4};
+    question = {.law = LawKind::plastic, .known = KnownAs::numbers, .p_star = 0.1, .hardness = 1e4};
     const double hard = law_error(question).high;
-    question.law = LawName::hybrid;
+    question.law = LawKind::hybrid;
     const double of_hybrid = law_error(question).high;
     CHECK(test::relative_error(hard, of_hybrid) < 1e-6);
     question.hardness = 0.1;
     CHECK(law_error(question).high == of_hybrid);
     // half of the squares of either at H/(E g) = 1/2
-    question = {.law = LawName::plastic, .known = KnownAs::numbers, .p_star = 0.005, .hardness = 0.5};
-    const detail::LawErrorRow elastic = detail::law_error_row(LawName::hybrid, KnownAs::numbers);
+    question = {.law = LawKind::plastic, .known = KnownAs::numbers, .p_star = 0.005, .hardness = 0.5};
+    const detail::LawErrorRow elastic = detail::law_error_row(LawKind::hybrid, KnownAs::numbers);
     const double at_half = detail::at_pressure(elastic.high, 0.005);
     CHECK(test::relative_error(law_error(question).high, std::hypot(row.high[3] / 100.0, at_half) / std::sqrt(2.0)) <
           1e-12);

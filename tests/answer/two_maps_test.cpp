@@ -45,7 +45,7 @@ TEST_CASE("Two maps have one K whichever is the upper one, and its band holds th
         const std::vector<double> pressures{1e8, 5e8, 2e9};
         const Answer one = answer(joint_of(rough, fine), pressures), other = answer(joint_of(fine, rough), pressures);
         for (std::size_t i = 0; i < pressures.size(); ++i) {
-            const Banded &K = one.points[i].stiffness, &exchanged = other.points[i].stiffness;
+            const WithBand &K = one.points[i].stiffness, &exchanged = other.points[i].stiffness;
             CHECK(K.value == exchanged.value);
             CHECK(K.low == exchanged.low);
             CHECK(K.high == exchanged.high);
@@ -56,7 +56,7 @@ TEST_CASE("Two maps have one K whichever is the upper one, and its band holds th
                 inside += K.low <= truth && truth <= K.high, ++all;
             }
         }
-        CHECK(one.points.back().law == LawName::boundary_elements);
+        CHECK(one.points.back().law == LawKind::boundary_elements);
     }
     CAPTURE(inside, all);
     CHECK(inside >= 0.88 * all);

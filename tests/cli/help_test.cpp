@@ -198,7 +198,7 @@ TEST_CASE("formats lists every form that --input-format takes") {
                json = test::run_fstiff("formats --format json");
     CHECK(list.status == 0);
     CHECK(test::contains(text.out, "The first nineteen are") ==
-          (fstiff::names<fstiff::io::SurfaceFormat>.size() == 20));
+          (fstiff::enum_names<fstiff::io::SurfaceFormat>.size() == 20));
     for (const std::string_view name : fstiff::detail::choices<fstiff::io::SurfaceFormat>()) {
         if (name == "auto") continue;
         INFO(name);

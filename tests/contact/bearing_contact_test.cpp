@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: Persson's contact under a Gaussian; the fixed point by plain iteration with a separation summed here; boundary
 // elements and K of another program on tests/data/bearing_map_honed.f32, made again with its rules and with finer ones.
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact.hpp>
-#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/crossover.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/material_ratio_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -27,8 +27,8 @@ namespace bearing_contact_test {
 
 using namespace fstiff;
 
-static_assert(detail::ProportionalContact<BearingContact<double>, double>);
-static_assert(detail::ProportionalContact<BearingContact<float>, float>);
+static_assert(detail::ProportionalContact<MaterialRatioContact<double>, double>);
+static_assert(detail::ProportionalContact<MaterialRatioContact<float>, float>);
 
 HeightMap<double> honed() {
     HeightMap<float> map;
@@ -39,15 +39,16 @@ HeightMap<double> honed() {
     return {map.heights.cast<double>(), 1.0 / 256, 1.0 / 256};
 }
 
-BearingContact<double> contact_of(const HeightMap<double>& map, double modulus = 1, Edges edges = Edges::periodic,
-                                  double closing = 0.25) {
+MaterialRatioContact<double> contact_of(const HeightMap<double>& map, double modulus = 1, Edges edges = Edges::periodic,
+                                        double closing = 0.25) {
     const auto order = detail::gaussian_order(map);
     return {PerssonContact<double>(map_spectrum(order.map, edges), modulus, 0.45, closing), order.curve,
             order.rms_height};
 }
 
 /// rho by plain iteration from 1; d_g by Simpson's rule in ln p.
-double slow_scale(const PerssonContact<double>& gaussian, const BearingSlope<double>& curve, double sigma, double p) {
+double slow_scale(const PerssonContact<double>& gaussian, const MaterialRatioSlope<double>& curve, double sigma,
+                  double p) {
     const double end = std::log(4 * gaussian.effective_modulus() * gaussian.rms_gradient());
     double rho = 1;
     for (int round = 0; round < 60; ++round) {
@@ -118,7 +119,7 @@ private:
 };
 
 /// The line through those of 61 points in [c - 3 w, c + 3 w] that the curve has.
-double slope_of_points_within(const BearingSlope<double>& curve, double c, double w) {
+double slope_of_points_within(const MaterialRatioSlope<double>& curve, double c, double w) {
     double mass = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (int k = -30; k <= 30; ++k) {
         const double t = 0.1 * k, zeta = c + w * t;
@@ -131,9 +132,10 @@ double slope_of_points_within(const BearingSlope<double>& curve, double c, doubl
 
 TEST_CASE("Without a bearing curve, and under a straight one, the crowded contact is Persson's") {
     const PerssonContact<double> persson(BandSpectrum<double>{1e-3, 0.8, 10, 10, 200}, 3.0);
-    const BearingContact<double> plain(persson);
+    const MaterialRatioContact<double> plain(persson);
     const double sigma = persson.rms_height();
-    const BearingContact<double> straight(persson, BearingSlope<double>({{-5, -5 * sigma}, {5, 5 * sigma}}), sigma);
+    const MaterialRatioContact<double> straight(persson, MaterialRatioSlope<double>({{-5, -5 * sigma}, {5, 5 * sigma}}),
+                                                sigma);
     for (const double p_star : {1e-6, 1e-3, 0.03, 0.4, 0.74}) {
         const double p = p_star * 3 * persson.rms_gradient();
         const auto truth = persson.at_pressure(p), same = plain.at_pressure(p), found = straight.at_pressure(p);
@@ -154,12 +156,12 @@ TEST_CASE("Without a bearing curve, and under a straight one, the crowded contac
 TEST_CASE("The crowded contact of a honed map is that of another program, and near boundary elements") {
     const HeightMap<double> map = honed();
     // the other program has no share of P^16
-    const BearingContact<double> contact = contact_of(map, 1, Edges::periodic, 0), law = contact_of(map);
+    const MaterialRatioContact<double> contact = contact_of(map, 1, Edges::periodic, 0), law = contact_of(map);
     const Summits<double> summits = summits_of(map);
     const HybridContact hybrid(SummitContact<double>(summits, 1.0), law,
                                detail::hand_over_of(summits, law, Edges::periodic));
     const auto order = detail::gaussian_order(map);
-    const BearingContact<double> persson_alone(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
+    const MaterialRatioContact<double> persson_alone(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
     const test::Table table("bearing_map_honed.csv");
     REQUIRE(table.size() == 7);
     for (std::size_t row = 0; row < table.size(); ++row) {
@@ -182,8 +184,8 @@ TEST_CASE("The sum of the other program over the shells converges to the crowded
     const HeightMap<double> map = honed();
     const auto order = detail::gaussian_order(map);
     const auto spectrum = map_spectrum(order.map, Edges::periodic);
-    const BearingContact<double> contact = contact_of(map, 1, Edges::periodic, 0);
-    const auto all = BearingSlope<double>::of_heights({map.heights.data(), 65536}, 0);
+    const MaterialRatioContact<double> contact = contact_of(map, 1, Edges::periodic, 0);
+    const auto all = MaterialRatioSlope<double>::of_heights({map.heights.data(), 65536}, 0);
     const MidpointSum other(spectrum, 12), finer(spectrum, 192);
     const test::Table table("bearing_map_honed.csv");
     for (std::size_t row = 0; row < table.size(); ++row) {
@@ -199,7 +201,7 @@ TEST_CASE("The sum of the other program over the shells converges to the crowded
 }
 
 TEST_CASE("K of a bearing contact is the slope of its load, dK/dp its own, and a separation is undone") {
-    const BearingContact<double> contact = contact_of(honed());
+    const MaterialRatioContact<double> contact = contact_of(honed());
     for (const double p : {1e-5, 3e-4, 2e-3, 2e-2, 0.06}) {
         const double step = 0.02 * p;
         const auto at = contact.stiffness_and_slope(p);
@@ -230,9 +232,9 @@ TEST_CASE("K of a bearing contact is the slope of its load, dK/dp its own, and a
 TEST_CASE("A bearing contact scales with lengths, moduli and heights") {
     const HeightMap<double> map = honed();
     HeightMap<double> other{map.heights * 1e-6, map.dx * 1e-6, map.dy * 1e-6};
-    const BearingContact<double> one = contact_of(map), tiny = contact_of(other, 2e11), higher = one.scaled(3);
+    const MaterialRatioContact<double> one = contact_of(map), tiny = contact_of(other, 2e11), higher = one.scaled(3);
     other = {map.heights * 3, map.dx, map.dy};
-    const BearingContact<double> made_higher = contact_of(other);
+    const MaterialRatioContact<double> made_higher = contact_of(other);
     for (const double p : {1e-4, 3e-3, 3e-2}) {
         CHECK(test::relative_error(tiny.stiffness(p * 2e11), one.stiffness(p) * 2e11 / 1e-6) < 1e-8);
         CHECK(test::relative_error(higher.stiffness(p), made_higher.stiffness(p)) < 1e-8);
@@ -251,7 +253,7 @@ TEST_CASE("Small maps, plateaus of equal heights and light loads have a finite K
     plateau.heights = part.heights.min(top);
     coarse.heights = (part.heights * (4 / rms_height(part))).round();
     for (const HeightMap<double>& map : {part, plateau, coarse}) {
-        const BearingContact<double> contact = contact_of(map, 1, Edges::mirrored);
+        const MaterialRatioContact<double> contact = contact_of(map, 1, Edges::mirrored);
         double last = 0;
         for (double p = contact.full_pressure() * 1e-9; p < contact.full_pressure(); p *= 2) {
             if (p > contact.local_scale(p) * contact.gaussian().largest_compared_pressure()) {

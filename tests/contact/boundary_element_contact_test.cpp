@@ -39,9 +39,9 @@ TEST_CASE("boundary elements as a contact have the states of the solver, bit for
     const double E = 2;
     const std::vector<double> pressures{0.01, 0.05};
     for (const Eigen::Index points : {32, 64}) {
-        const TruthOptions<double> options{.points = points, .edges = Edges::periodic};
+        const HalfSpaceOptions<double> options{.points = points, .edges = Edges::periodic};
         const BoundaryElementContact<double> contact(map, E, options);
-        const auto solved = truth(map, E, pressures, options);
+        const auto solved = solve_half_space(map, E, pressures, options);
         const auto curve = curve_at_pressures(contact, pressures);
         CHECK(contact.rms_height() == rms_height(map));
         for (std::size_t i = 0; i < pressures.size(); ++i) {

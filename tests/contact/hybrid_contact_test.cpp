@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: tests/data/hybrid.csv (15 digits); boundary elements of tests/data/bem_maps.csv; the exact spectrum of maps
 // that repeat themselves.
-#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/crossover.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -103,8 +103,8 @@ TEST_CASE("hybrid of a map's own summits and bearing curve is near boundary elem
     for (std::size_t row = 0; row < bem.size(); ++row) {
         const HeightMap<double> map = test::half_space_map(bem.text(row, "map"));
         const detail::GaussianOrder<double> order = detail::gaussian_order(map);
-        const BearingContact<double> crowded(PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0),
-                                             order.curve, order.rms_height);
+        const MaterialRatioContact<double> crowded(
+            PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0), order.curve, order.rms_height);
         const Summits<double> summits = summits_of(map);
         const HybridContact hybrid(SummitContact<double>(summits, 1.0), crowded,
                                    detail::hand_over_of(summits, crowded, Edges::periodic));
@@ -120,10 +120,10 @@ TEST_CASE("hybrid of a map's own summits and bearing curve is near boundary elem
 TEST_CASE(
     "A hand-over is continuous, fades out over a factor of 8, and keeps its ratios on surfaces drawn about a map") {
     const HeightMap<double> map = test::half_space_map("gaussian");
-    const BearingContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
+    const MaterialRatioContact<double> crowded(PerssonContact<double>(map_spectrum(map, Edges::periodic), 1.0));
     const Summits<double> summits = summits_of(map);
     const SummitContact<double> peaks(summits, 1.0);
-    const HandOver<double> join = detail::hand_over_of(summits, crowded, Edges::periodic);
+    const Crossover<double> join = detail::hand_over_of(summits, crowded, Edges::periodic);
     const HybridContact hybrid(peaks, crowded, join);
     const double p = join.pressure();
     CHECK(test::relative_error(crowded.at_pressure(p).real_area_fraction.value, 0.06) < 0.02);

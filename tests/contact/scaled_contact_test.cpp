@@ -2,14 +2,14 @@
 // Truth: the Gaussian contact under a straight bearing curve; boundary elements of the skewed map of
 // tests/data/bem_maps.csv.
 #include <fstiff/asperity/laws.hpp>
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/material_ratio_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
@@ -26,13 +26,13 @@ namespace scaled_contact_test {
 using namespace fstiff;
 
 /// hybrid of the moments \p m under the bearing curve \p curve of the rms \p unit.
-auto law_of(const SpectralMoments<double>& m, const BearingSlope<double>& curve, double unit) {
+auto law_of(const SpectralMoments<double>& m, const MaterialRatioSlope<double>& curve, double unit) {
     const PerssonContact<double> persson(detail::band_of_moments(m, 0.8), 1.0);
     const double sigma = std::sqrt(m.m0), alpha = m.bandwidth();
     const Roughness<double> surface{sigma, detail::peak_radius_of(m), detail::peak_density_of(m)};
     HybridContact of(
         RoughContact(surface, PeakDistribution<double>(1 / std::sqrt(alpha), 1e-3), HertzLaw<double>{}, 1.0), persson);
-    return ScaledContact(of, BearingContact<double>(persson, curve.scaled(sigma / unit), sigma));
+    return ScaledContact(of, MaterialRatioContact<double>(persson, curve.scaled(sigma / unit), sigma));
 }
 
 TEST_CASE("A contact at the scale of a straight bearing curve is the Gaussian one") {
@@ -54,7 +54,7 @@ TEST_CASE("K of two levels, of the least kurtosis of a skewness, rises with the 
     for (const double skewness : {-3.0, -2.06, -1.5, -1.2, 0.0, 1.5, 3.0})
         for (const double more : {0.0, 0.01, 0.1}) {
             const auto curve = detail::bearing_of_moments(skewness, detail::least_kurtosis(skewness) + more);
-            const BearingContact<double> contact(persson, curve, 1.0);
+            const MaterialRatioContact<double> contact(persson, curve, 1.0);
             double last = 0;
             for (double log_x = -7; log_x < 0; log_x += 0.1) {
                 const double x = std::exp(log_x), P = persson.real_area_fraction(x);

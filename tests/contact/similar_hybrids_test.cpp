@@ -5,8 +5,8 @@
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -54,7 +54,7 @@ TEST_CASE("Surfaces drawn about one have K of the table of similar ones") {
 
 TEST_CASE("The table of similar surfaces takes a bearing curve") {
     for (const auto& [skewness, kurtosis] : {std::pair(-1.2, 5.0), std::pair(0.9, 4.0), std::pair(1.8, 75.0)}) {
-        const BearingSlope<double> curve = detail::bearing_of_moments(skewness, kurtosis);
+        const MaterialRatioSlope<double> curve = detail::bearing_of_moments(skewness, kurtosis);
         const detail::SimilarHybrids<double> similar(&curve, 0.42);
         for (const double alpha : {2.7, 11.0}) {
             const double off = worst(similar, alpha, 0.8, [&](const BandSpectrum<double>& band) {

@@ -22,7 +22,7 @@ enum class Silent { one };
 }  // namespace names_test
 
 template <>
-inline constexpr auto fstiff::names<names_test::Fruit> = fstiff::detail::name_list<names_test::Fruit>(
+inline constexpr auto fstiff::enum_names<names_test::Fruit> = fstiff::detail::name_list<names_test::Fruit>(
     {{names_test::Fruit::apple, "apple"}, {names_test::Fruit::pear, "pear"}});
 
 namespace names_test {
@@ -36,19 +36,20 @@ TEST_CASE("Words of an enum follow from one list", "[names]") {
                   !detail::find_named<Fruit>(""));
     static_assert(detail::choices<Fruit>().size() == 2 && detail::choices<Fruit>()[1] == "pear");
     CHECK(detail::choices_text<Fruit>() == "apple, pear");
-    CHECK(parse<Fruit>("pear", "fruit") == Fruit::pear);
-    CHECK(test::refusal([] { (void)parse<Fruit>("plum", "fruit"); }) == "fruit = \"plum\": must be one of apple, pear");
-    CHECK(test::refusal([] { (void)parse<Fruit>("", "fruit"); }) == "fruit = \"\": must be one of apple, pear");
+    CHECK(from_name<Fruit>("pear", "fruit") == Fruit::pear);
+    CHECK(test::refusal([] { (void)from_name<Fruit>("plum", "fruit"); }) ==
+          "fruit = \"plum\": must be one of apple, pear");
+    CHECK(test::refusal([] { (void)from_name<Fruit>("", "fruit"); }) == "fruit = \"\": must be one of apple, pear");
 }
 
 TEMPLATE_TEST_CASE("Every word of the library reads back as its value", "[names]", BorderIslands, CurvatureScale,
                    math::FitStatus, Form, Heights, InteractionReading, IslandHeight, LongWaves, MapForm, Parameter,
                    PeakSource, StructureConvention, WindowEnd, io::Dimension, io::SurfaceFormat) {
-    for (const auto& [value, name] : names<TestType>) {
+    for (const auto& [value, name] : enum_names<TestType>) {
         CHECK(name_of(value) == name);
-        CHECK(parse<TestType>(name, "word") == value);
+        CHECK(from_name<TestType>(name, "word") == value);
     }
-    const std::string said = test::refusal([] { (void)parse<TestType>("no such word", "word"); });
+    const std::string said = test::refusal([] { (void)from_name<TestType>("no such word", "word"); });
     CHECK(said == "word = \"no such word\": must be one of " + detail::choices_text<TestType>());
 }
 

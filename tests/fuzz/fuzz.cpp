@@ -134,7 +134,7 @@ void fuzz_reader(const io::detail::Reader& reader, const std::string& bytes) {
 
 void fuzz(const std::string& form, const std::string& bytes) {
     if (form.ends_with("_text")) return fuzz_text(bytes, form == "profile_text");
-    const io::detail::Reader& reader = io::detail::reader_of(parse<io::SurfaceFormat>(form, "form"));
+    const io::detail::Reader& reader = io::detail::reader_of(from_name<io::SurfaceFormat>(form, "form"));
     fuzz_reader(reader, bytes);
     const bool is_x3p = form == "x3p";
     if ((!is_x3p && form != "plux") || bytes.starts_with("PK\3\4")) return;

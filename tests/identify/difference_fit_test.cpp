@@ -65,7 +65,7 @@ TEST_CASE("derivatives by differences are the exact ones of hertz") {
     const Points data = points_of(curve, 8);
     const std::vector<Parameter> wanted{rms_height, peak_radius, peak_density, effective_modulus, r, theta};
     const auto law = [](double) { return HertzLaw<double>{}; };
-    const std::optional<Wave<double>> no_wave;
+    const std::optional<ObservedWave<double>> no_wave;
     const RoughContactOptions<double> options;
     detail::CurveModel<double, decltype(law)> exact(data, wanted, blasted, law, no_wave, options);
     detail::DifferenceModel<double> differences(data, wanted, blasted, curve, no_wave);
@@ -91,7 +91,7 @@ TEST_CASE("derivatives of hybrid are those of steps of other lengths") {
     const detail::CurveOfParameters<double> curve = hybrid;
     const Points data = points_of(curve, 8);
     const std::vector<Parameter> wanted{rms_height, rms_gradient, alpha, effective_modulus};
-    const std::optional<Wave<double>> no_wave;
+    const std::optional<ObservedWave<double>> no_wave;
     detail::DifferenceModel<double> model(data, wanted, blasted, curve, no_wave);
     Vector residuals(8);
     Matrix slopes(8, 4), unused(8, 4), independent(8, 4);

@@ -24,7 +24,7 @@ const ContactParameters<double> true_contact{.rms_height = test::sand_blasted_fi
                                              .effective_modulus = 112.6e9,
                                              .r = 0.6,
                                              .theta = 1.1};
-const Wave<double> wave{{46e6, 46e6}, 4.398e7};
+const ObservedWave<double> wave{{46e6, 46e6}, 4.398e7};
 const auto fractal = [](double dimension) { return FractalLaw<double>(dimension); };
 const auto hertz = [](double) { return HertzLaw<double>{}; };
 
@@ -38,7 +38,7 @@ struct Plastic {
 /// Values of the model with \p parameters at \p count pressures from 0.5 to 50 MPa.
 template <class Law>
 std::vector<Observation<double>> curve(const ContactParameters<double>& x, const Law& law, int count,
-                                       const Wave<double>* as = nullptr,
+                                       const ObservedWave<double>* as = nullptr,
                                        const RoughContactOptions<double>& options = {}) {
     std::vector<Observation<double>> data;
     const RoughContact contact(Roughness<double>{x.rms_height, x.peak_radius, x.peak_density, 0},
@@ -56,7 +56,7 @@ std::vector<Observation<double>> curve(const ContactParameters<double>& x, const
 /// R.
 template <class Law>
 std::vector<int> coverage(const ContactParameters<double>& x, const std::vector<Parameter>& wanted, const Law& law,
-                          double error, bool known, const Wave<double>* as = nullptr) {
+                          double error, bool known, const ObservedWave<double>* as = nullptr) {
     auto data = curve(x, law, 25, as);
     const auto exact = data;
     std::vector<int> hits(wanted.size());
@@ -135,12 +135,12 @@ TEST_CASE("the truth lies in its own 95 % interval in 95 +- 4 of 100 runs, from 
     // 1 - R is 1e-5 to 0.04 here: with errors ten times these, two parameters have no minimum in some runs
     check_coverage(coverage(true_contact, {rms_height, peak_density}, fractal, 0.0003, true, &wave));
     check_coverage(coverage(true_contact, {effective_modulus}, hertz, 0.001, false, &wave));
-    const Wave<double> shear{{25e6, 25e6}, 4.398e7, 1.4 / 1.7};
+    const ObservedWave<double> shear{{25e6, 25e6}, 4.398e7, 1.4 / 1.7};
     check_coverage(coverage(true_contact, {rms_height, fractal_dimension}, fractal, 0.0003, true, &shear));
 }
 
 TEST_CASE("a fit to R(p) under a film subtracts the film") {
-    const Wave<double> under_film{{46e6, 46e6}, 4.398e7, 1, 2e13};
+    const ObservedWave<double> under_film{{46e6, 46e6}, 4.398e7, 1, 2e13};
     auto data = curve(true_contact, hertz, 20, &under_film), dry = curve(true_contact, hertz, 20, &wave);
     for (std::size_t i = 0; i < data.size(); ++i) {
         const double k = stiffness_from_reflection(dry[i].value, 46e6, 4.398e7);

@@ -142,7 +142,7 @@ TEST_CASE("Every form has a row in the order of its names, a sample, and a row o
     std::size_t next = 1;  // after automatic
     for (const Reader* form : io::detail::readers()) {
         CAPTURE(name_of(form->format));
-        CHECK(form->format == names<SurfaceFormat>[next++].value);
+        CHECK(form->format == enum_names<SurfaceFormat>[next++].value);
         CHECK(!form->begins == (std::find_if(std::begin(samples), std::end(samples), [&](const Sample& sample) {
                                     return sample.format == form->format;
                                 }) == std::end(samples)));

@@ -174,7 +174,7 @@ def test_processes_and_grades_by_other_words():
         ({"height": 1e-6, "other": {"rms": 1}}, "^other.rms: must be one of process"),
         ({"height": 1e-6, "process": "forged"}, '^process = "forged": must be one of'),
         ({"height": 1e-6, "quantities": ["reflection"]}, "^quantities: reflection needs frequency"),
-        ({"height": 1e-6, "quantities": ["colour"]}, '^quantities = "colour": must be among'),
+        ({"height": 1e-6, "quantities": ["colour"]}, '^quantities = "colour": must be one of force, '),
         ({"height": 1e-6, "quantities": "reflection"}, "must be a list of names"),
         ({"surface": 3}, "^surface: must be what measure"),
         ({}, "rms_height|height"),

@@ -166,7 +166,7 @@ TEST_CASE("The band of 1 mm of a trace of a hard or a soft steel holds K of the 
                 const double truth = stiffness(whole).value;
                 for (std::size_t i = 0; i < whole.heights.size(); i += 4096, ++pieces) {
                     const auto from = whole.heights.begin() + static_cast<std::ptrdiff_t>(i);
-                    const Banded of_piece = stiffness({{from, from + 2048}, 0.5e-6});
+                    const WithBand of_piece = stiffness({{from, from + 2048}, 0.5e-6});
                     held += of_piece.low <= truth && truth <= of_piece.high;
                 }
             }

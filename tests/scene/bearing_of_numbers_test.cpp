@@ -129,7 +129,7 @@ TEST_CASE("K and both ends of faces near the least kurtosis rise with the pressu
     for (const auto& [skewness, kurtosis] :
          {std::pair(-1.5, 3.51), {-1.5, 3.6}, {-1.2, 2.7}, {-2.06, 5.78}, {0.0, 1.1}, {0.1, 1.25}, {-2.18, 5.9}})
         for (const std::string rest : {"", "Sdq = 0.1\n", "Sdq = 0.1\nalpha = 40\n"}) {
-            fstiff::Banded last{0, 0, 0};
+            fstiff::WithBand last{0, 0, 0};
             for (double pressure = 1e3; pressure < 1e9; pressure *= 2) {
                 const auto band = at(skewness, kurtosis, rest, pressure);
                 CAPTURE(skewness, kurtosis, rest, pressure);

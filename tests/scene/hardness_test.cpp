@@ -7,7 +7,7 @@
 #include "support/library.hpp"
 
 #include <fstiff/answer.hpp>
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 
 #include <cmath>
 #include <random>
@@ -129,7 +129,7 @@ TEST_CASE("An unknown material is refused with the names next to it") {
 }
 
 TEST_CASE("A body that never yields is elastic, and so is rubber") {
-    CHECK(test::results_of(on(with("steel", "infinite"))).answer.points[1].law == fstiff::LawName::hybrid);
+    CHECK(test::results_of(on(with("steel", "infinite"))).answer.points[1].law == fstiff::LawKind::hybrid);
     const auto rubber = test::scene_of(on("{ youngs_modulus = \"2 MPa\", poisson_ratio = 0.49 }", "\"steel\""));
     CHECK(rubber.joint.hardness_range.has_value());  // of the steel
     CHECK(test::scene_of(ground + "[material.upper]\nyoungs_modulus = \"2 MPa\"\npoisson_ratio = 0.49\n" + loads)
@@ -153,7 +153,7 @@ TEST_CASE("K of a map is that of all its waves, unless a lambda_s is given") {
     const auto all = test::results_of(text("")), none = test::results_of(text("lambda_s = \"none\"\n")),
                given = test::results_of(text("lambda_s = \"8 um\"\n"));
     const std::vector<double> pressures{5e6, 50e6, 300e6};
-    const auto truth = fstiff::truth(map, modulus, pressures, {.edges = fstiff::Edges::periodic});
+    const auto truth = fstiff::solve_half_space(map, modulus, pressures, {.edges = fstiff::Edges::periodic});
     for (std::size_t i = 1; i < 3; ++i) {  // at the first one fewer than 20 points touch
         CHECK(test::relative_error(points_of(all)[i].value, truth[i].state.stiffness) < 1e-9);
         CHECK(points_of(all)[i].value == points_of(none)[i].value);

@@ -7,8 +7,8 @@
 #include <fstiff/answer/curves.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
@@ -113,7 +113,7 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
           "0.85\n",
           {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = detail::bearing_of_core(core)}},
          {"Sq = \"0.8 um\"\nSdq = 0.1\nbearing_curve = [" + list + "]\n",
-          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = BearingSlope<double>::of_heights(heights)}},
+          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = MaterialRatioSlope<double>::of_heights(heights)}},
          {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nmax_peak_height = \"3 um\"\n"
           "r = 0.5\ntheta = 1.0\nerrors = { peak_radius = \"5 um\", peak_density = \"50 /mm^2\", r = 0.1, theta = 0.1 "
           "}\n",
@@ -213,10 +213,10 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
     Joint joint{
         .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("cast_iron")};
     joint.upper.hardness = 1e9, joint.lower.hardness = 2e9;
-    joint.waves = Waves{.frequency = 5e6,
-                        .longitudinal = {46e6, 33e6},
-                        .shear = Impedances<double>{25e6, 19e6},
-                        .film_stiffness = 1e14};
+    joint.waves = UltrasonicWaves{.frequency = 5e6,
+                                  .longitudinal = {46e6, 33e6},
+                                  .shear = Impedances<double>{25e6, 19e6},
+                                  .film_stiffness = 1e14};
     joint.conduction = {.thermal = joint_conductivity(53.3, 48.5),
                         .electrical = joint_conductivity(6e6, 1e6),
                         .gap = GapFilling<double>{0.026, 0},
@@ -286,7 +286,7 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
     CHECK(told.next->pressure == pressures[1]);
     CHECK(told.next->factor == told.points[1].stiffness.high / told.points[1].stiffness.low);
     joint.face.rms_gradient = answer(joint, pressures).assumed[2].range.value;  // as it is assumed: the promise is kept
-    const Banded then = answer(joint, pressures).points[1].stiffness;
+    const WithBand then = answer(joint, pressures).points[1].stiffness;
     CHECK(test::relative_error(then.high / then.low, told.next->narrowed) < 0.05);
     CHECK(told.next->narrowed < 0.95 * told.next->factor);
 }
@@ -352,8 +352,8 @@ TEST_CASE("The law of an answer and of the ends of its band is a table of K with
     std::vector<double> many;
     for (int i = 0; i <= 40; ++i) many.push_back(1e5 * std::pow(10, i / 10.0));
     const Answer found = answer(joint, many);
-    const std::pair<double, double Banded::*> ends[]{
-        {0.05, &Banded::low}, {0.5, &Banded::value}, {0.95, &Banded::high}};
+    const std::pair<double, double WithBand::*> ends[]{
+        {0.05, &WithBand::low}, {0.5, &WithBand::value}, {0.95, &WithBand::high}};
     for (const auto& [quantile, end] : ends) {
         const ContactLaw<double> law = found.law_at(quantile, {.min_pressure = 1e5, .max_pressure = 1e9});
         CAPTURE(quantile);
@@ -443,7 +443,7 @@ TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on
     const Answer found = answer(joint, many, {.parallel = on_two_threads});
     CHECK(pieces > 400 + 5);  // surfaces of the band, and boundary elements
     CHECK(std::count_if(found.points.begin(), found.points.end(),
-                        [](const AnswerPoint& point) { return point.law == LawName::boundary_elements; }) >= 2);
+                        [](const AnswerPoint& point) { return point.law == LawKind::boundary_elements; }) >= 2);
     for (std::size_t i = 0; i < many.size(); ++i) {
         CHECK(found.points[i].stiffness.value == alone.points[i].stiffness.value);
         CHECK(found.points[i].stiffness.low == alone.points[i].stiffness.low);
@@ -476,7 +476,7 @@ TEST_CASE("A measured face serves many joints, each with the digits that a face 
         const auto with = [&](const auto& face) {
             return answer(joint(face, i), std::vector{1e6, 2e7}, options).points.back().stiffness;
         };
-        const Banded by_shared = with(shared), by_own = with(measured_face(surface));
+        const WithBand by_shared = with(shared), by_own = with(measured_face(surface));
         return by_shared.low == by_own.low && by_shared.value == by_own.value && by_shared.high == by_own.high;
     };
     for (int i = 0; i < 6; ++i) CHECK(same(i));  // more moduli than the face keeps contacts of
@@ -496,7 +496,7 @@ TEST_CASE("A contact by the name of its law has K of the answer, and keeps what 
     const std::shared_ptr<const AnyContact> contact = contact_of(joint, laws::plastic);
     joint = {};
     for (const AnswerPoint& point : found.points) {
-        REQUIRE(point.law == LawName::plastic);
+        REQUIRE(point.law == LawKind::plastic);
         const double p = point.pressure;
         CHECK(contact->at_pressures(std::span(&p, 1), Quantity::stiffness).front().state.stiffness.value ==
               point.stiffness.value);
@@ -530,7 +530,7 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
     CHECK(refused([](Joint& of) { of.face.r = 0.5; }) == "theta: is missing; r and theta belong together");
     CHECK(refused([](Joint& of) { of.face.r = 1, of.face.theta = 1; }).starts_with("r = 1: must be"));
     CHECK(refused([](Joint& of) {
-              of.face.bearing = BearingSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
+              of.face.bearing = MaterialRatioSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
           }).starts_with("bearing: belongs to an rms height of 0.0"));
     CHECK(refused([](Joint& of) { of.face.errors.peak_radius = 1e-6; }) == "error of peak_radius: needs the number");
     CHECK(refused([](Joint& of) { of.face.errors.height = -1; }).starts_with("error of the height = -1: must be"));

@@ -194,7 +194,7 @@ TEST_CASE("Where boundary elements of the map answer, the approach begins at the
     const auto best = test::results_of(text, file),
                elements = test::results_of(text + "laws = [\"boundary_elements\"]\n", file);
     REQUIRE(best.has_answer());
-    REQUIRE(best.answer.points[0].law == LawName::boundary_elements);
+    REQUIRE(best.answer.points[0].law == LawKind::boundary_elements);
     const auto approach = [](const AnswerCurve& curve) { return test::value_at(curve, 0, "approach").value(); };
     CHECK(approach(elements.curves().front()) > 0);
     CHECK(test::relative_error(approach(best.answer), approach(elements.curves().front())) < 1e-9);

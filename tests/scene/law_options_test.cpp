@@ -40,7 +40,7 @@ Expected expected(std::string_view key, const Member&, const fstiff::request::Fi
 
 TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses what is out of its range") {
     const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
-    for (const fstiff::LawName law : scene::laws_with_options) {
+    for (const fstiff::LawKind law : scene::laws_with_options) {
         detail::LawOptions defaults;
         const std::string section = "contact." + std::string(name_of(law));
         scene::each_law_option(law, defaults, [&](std::string_view name, auto& member, const auto& field) {
@@ -68,7 +68,7 @@ TEST_CASE("Every option of a law is a row of docs/scene.md, is read, and refuses
 }
 
 TEST_CASE("The table of laws is in the order of their names") {
-    for (const auto& [law, word] : fstiff::names<fstiff::LawName>) {
+    for (const auto& [law, word] : fstiff::enum_names<fstiff::LawKind>) {
         CHECK(detail::find_law(law).which == law);
         CHECK(detail::find_law(word) == &detail::find_law(law));
     }

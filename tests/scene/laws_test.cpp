@@ -5,7 +5,7 @@
 #include <fstiff/answer/face.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 #include <fstiff/io/write.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/topography/form.hpp>
@@ -144,8 +144,8 @@ TEST_CASE("laws of a map: its summits and boundary elements") {
     const auto results = computed(scene_of(file.surface(), "\"summits\", \"hybrid\", \"boundary_elements\"",
                                            "[boundary_elements]\npoints = 128\nedges = \"periodic\"\n"));
     REQUIRE(results.curves().size() == 3);
-    const auto truth =
-        fstiff::truth(file.map, 1e9, std::vector<double>{1e6, 5e6}, {.points = 128, .edges = Edges::periodic});
+    const auto truth = fstiff::solve_half_space(file.map, 1e9, std::vector<double>{1e6, 5e6},
+                                                {.points = 128, .edges = Edges::periodic});
     for (std::size_t i = 0; i < 2; ++i) {
         // the file has nine digits or more
         CHECK(test::relative_error(results.curves()[2].points[i].state.stiffness.value, truth[i].state.stiffness) <

@@ -98,12 +98,12 @@ TEST_CASE("A point without a stiffness has no number and no law") {
     joint.upper.hardness = joint.lower.hardness = 2e7;
     const Answer found = answer(joint, std::vector{1e6, 3e7}, {.laws = {laws::plastic}});
     REQUIRE(found.points.size() == 2);
-    CHECK(found.points[0].law == LawName::plastic);
+    CHECK(found.points[0].law == LawKind::plastic);
     for (const AnswerPoint& lost : {found.points[1], found.laws.front().points[1], AnswerPoint()}) {
         CHECK(std::isnan(lost.stiffness.low));
         CHECK(std::isnan(lost.stiffness.value));
         CHECK(std::isnan(lost.stiffness.high));
-        CHECK(lost.law == LawName::none);
+        CHECK(lost.law == LawKind::none);
         CHECK(name_of(lost.law).empty());
     }
     CHECK(found.points[1].reason == "3e+07 Pa is above the hardness (2e+07 Pa): the contact is closed");

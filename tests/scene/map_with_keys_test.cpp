@@ -54,13 +54,13 @@ TEST_CASE("A number that only laws of numbers take leaves a map a map") {
     const Scenes scenes;
     const auto alone = scenes.with("");
     const auto& K = alone.answer;
-    REQUIRE(K.points.front().law == fstiff::LawName::boundary_elements);
+    REQUIRE(K.points.front().law == fstiff::LawKind::boundary_elements);
     for (const std::string key :
          {"hurst = 0.8", "alpha = 12", "peak_radius = \"10 um\"", "peak_density = \"20000 /mm^2\"",
           "fractal_dimension = 1.3", "r = 0.4\ntheta = \"40 deg\"", "errors = { peak_radius = \"1 um\" }"}) {
         const auto with = scenes.with(key + "\n");
         CAPTURE(key);
-        CHECK(with.answer.points.front().law == fstiff::LawName::boundary_elements);
+        CHECK(with.answer.points.front().law == fstiff::LawKind::boundary_elements);
         CHECK(with.answer.points.front().state.stiffness.value == K.points.front().state.stiffness.value);
         CHECK(with.answer.points.front().stiffness.low == K.points.front().stiffness.low);
         CHECK(with.answer.points.front().stiffness.high == K.points.front().stiffness.high);
@@ -77,7 +77,7 @@ TEST_CASE("A number that a map has itself sets it aside, and the output names it
                                      "because a bearing curve is given"}}) {
         const auto with = scenes.with(std::string(key) + "\n");
         CAPTURE(key, joined(with));
-        CHECK(with.answer.points.front().law == fstiff::LawName::plastic);
+        CHECK(with.answer.points.front().law == fstiff::LawKind::plastic);
         CHECK(joined(with).find(name) != std::string::npos);
     }
 }

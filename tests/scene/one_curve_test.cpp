@@ -50,7 +50,7 @@ TEST_CASE("A list and a range of pressures have the same K at the same pressure"
     CHECK(of_list.points[0].stiffness.value == of_range.points[30].stiffness.value);
     CHECK(of_list.points[1].stiffness.value == of_range.points[7].stiffness.value);
     CHECK(of_list.points[2].stiffness.value == of_range.points[21].stiffness.value);
-    CHECK(of_range.points[30].law == LawName::boundary_elements);
+    CHECK(of_range.points[30].law == LawKind::boundary_elements);
 }
 
 TEST_CASE("K of a map and both ends of its band rise with the pressure, over the passage from its summits too") {
@@ -63,7 +63,7 @@ TEST_CASE("K of a map and both ends of its band rise with the pressure, over the
             const AnswerPoint* last = nullptr;
             for (const AnswerPoint& at : found.points) {
                 if (!at.ok()) continue;
-                (at.law == LawName::boundary_elements ? solved : of_summits) += 1;
+                (at.law == LawKind::boundary_elements ? solved : of_summits) += 1;
                 if (at.loading_stiffness) CHECK(*at.loading_stiffness <= at.stiffness.value);
                 if (last) {
                     CHECK(at.stiffness.value > last->stiffness.value);
@@ -85,7 +85,7 @@ TEST_CASE("K of many pressures is within 1 % of boundary elements at each of the
         const Answer found = answer(joint, pressures_of(3e7, 1.6e9, 75), {.samples = 0});
         for (std::size_t i = 4; i < found.points.size(); i += 7) {
             const auto& at = found.points[i];
-            if (at.law != LawName::boundary_elements || *at.p_star < 0.02) continue;  // a smooth K from here
+            if (at.law != LawKind::boundary_elements || *at.p_star < 0.02) continue;  // a smooth K from here
             const Answer alone = answer(joint, std::vector<double>{at.pressure}, {.samples = 0});
             CHECK(test::relative_error(at.stiffness.value, alone.points[0].stiffness.value) < 0.01);
         }

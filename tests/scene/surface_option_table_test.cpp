@@ -40,11 +40,11 @@ struct PutOther {
     void operator()(bool& to) const { to = !to; }
     template <NamedEnum Enum>
     void operator()(Enum& to) const {
-        to = fstiff::names<Enum>.back().value;
+        to = fstiff::enum_names<Enum>.back().value;
     }
     template <NamedEnum Enum>
     void operator()(std::optional<Enum>& to) const {
-        to = fstiff::names<Enum>.back().value;
+        to = fstiff::enum_names<Enum>.back().value;
     }
 };
 

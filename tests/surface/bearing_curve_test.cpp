@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: counting the heights above each height of the curve.
-#include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"

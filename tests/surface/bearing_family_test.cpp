@@ -2,8 +2,8 @@
 // Truth: a Gaussian surface; areas and moments summed over many values of the curve; the lognormal curve in closed
 // form.
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -16,7 +16,7 @@ namespace bearing_family_test {
 using namespace fstiff;
 
 /// Skewness and kurtosis of the curve by Simpson's rule.
-std::array<double, 4> moments_of(const BearingSlope<double>& curve) {
+std::array<double, 4> moments_of(const MaterialRatioSlope<double>& curve) {
     std::array<double, 5> sum{};
     const double step = 1.0 / 512;
     for (int i = -4096; i <= 4096; ++i) {

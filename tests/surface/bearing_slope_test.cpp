@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: Gaussian heights, whose curve is a straight line; the regression written out over all heights, without a
 // table.
-#include <fstiff/surface/bearing_curve.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -48,7 +48,7 @@ double slow_slope(const std::vector<double>& heights, double center, double widt
 }
 
 TEST_CASE("The bearing curve of Gaussian heights has their rms height as its slope everywhere") {
-    const auto curve = BearingSlope<double>::of_heights(heights_of([](double z) { return 3 + 2e-6 * z; }, 10007));
+    const auto curve = MaterialRatioSlope<double>::of_heights(heights_of([](double z) { return 3 + 2e-6 * z; }, 10007));
     for (const double center : {-9.0, -3.0, 0.0, 0.3, 3.7, 9.0})
         for (const double width : {0.5, 1.0}) CHECK(test::relative_error(curve.slope(center, width), 2e-6) < 1e-8);
     CHECK(std::abs(curve.height(0.5) - (3 + 1e-6)) < 1e-14);
@@ -63,7 +63,7 @@ TEST_CASE("The table of a bearing curve has the slope of all heights to 2e-4") {
         const double z = normal();
         heights.push_back(std::min(z, 0.3) + 0.15 * normal() + 0.1 * std::sinh(z));
     }
-    const auto curve = BearingSlope<double>::of_heights(heights);
+    const auto curve = MaterialRatioSlope<double>::of_heights(heights);
     CHECK(curve.knots().size() < 4000);
     double worst = 0, change = 0;
     for (double center = -4; center <= 4; center += 0.37)
@@ -78,24 +78,25 @@ TEST_CASE("The table of a bearing curve has the slope of all heights to 2e-4") {
 
 TEST_CASE("Equal heights of a bearing curve have their mean rank, and missing ones none") {
     const double missing = std::numeric_limits<double>::quiet_NaN();
-    const auto curve = BearingSlope<double>::of_heights(std::vector<double>{1, 5, missing, 5, 2, 5, missing, 5});
+    const auto curve = MaterialRatioSlope<double>::of_heights(std::vector<double>{1, 5, missing, 5, 2, 5, missing, 5});
     REQUIRE(curve.knots().size() == 3);
     CHECK(curve.knots()[2].score == math::normal_quantile(4.0 / 6));  // ranks 2 to 5 of six
     CHECK(curve.knots()[1].score == math::normal_quantile(1.5 / 6));
     CHECK(curve.knots()[2].height == 5);
     for (const double center : {-5.0, 0.0, 5.0}) CHECK(curve.slope(center, 0.5) > 0);
-    CHECK_THROWS_AS(BearingSlope<double>::of_heights(std::vector<double>{2, 2, missing, 2}), domain_error);
-    CHECK_THROWS_AS(BearingSlope<double>::of_heights(std::vector<double>{missing}), domain_error);
-    CHECK_THROWS_AS(BearingSlope<double>::of_heights(std::vector<double>{1, std::numeric_limits<double>::infinity()}),
-                    domain_error);
-    CHECK_THROWS_AS(BearingSlope<double>({{0, 1}, {1, 1}}), domain_error);
-    CHECK_THROWS_AS(BearingSlope<double>({{0, 1}, {0, 2}}), domain_error);
+    CHECK_THROWS_AS(MaterialRatioSlope<double>::of_heights(std::vector<double>{2, 2, missing, 2}), domain_error);
+    CHECK_THROWS_AS(MaterialRatioSlope<double>::of_heights(std::vector<double>{missing}), domain_error);
+    CHECK_THROWS_AS(
+        MaterialRatioSlope<double>::of_heights(std::vector<double>{1, std::numeric_limits<double>::infinity()}),
+        domain_error);
+    CHECK_THROWS_AS(MaterialRatioSlope<double>({{0, 1}, {1, 1}}), domain_error);
+    CHECK_THROWS_AS(MaterialRatioSlope<double>({{0, 1}, {0, 2}}), domain_error);
 }
 
 TEST_CASE("The slope of a bearing curve scales with the heights alone") {
     const auto f = [](double z) { return std::expm1(0.3 * z); };
-    const auto one = BearingSlope<double>::of_heights(heights_of(f, 4099));
-    const auto tiny = BearingSlope<double>::of_heights(heights_of([&](double z) { return 1e-9 * f(z); }, 4099));
+    const auto one = MaterialRatioSlope<double>::of_heights(heights_of(f, 4099));
+    const auto tiny = MaterialRatioSlope<double>::of_heights(heights_of([&](double z) { return 1e-9 * f(z); }, 4099));
     for (const double center : {-3.0, 0.1, 3.0})
         CHECK(test::relative_error(tiny.slope(center, 0.6), 1e-9 * one.slope(center, 0.6)) < 1e-12);
     // of exp(0.3 zeta), whose slope at c is 0.3 exp(0.3 c): weighted evenly about c within the points
@@ -103,7 +104,7 @@ TEST_CASE("The slope of a bearing curve scales with the heights alone") {
 }
 
 TEST_CASE("A part of a bearing curve, and a taller one") {
-    const BearingSlope<double> curve({{-3, -9}, {-1, -1}, {0, 0}, {2, 8}, {3, 27}});
+    const MaterialRatioSlope<double> curve({{-3, -9}, {-1, -1}, {0, 0}, {2, 8}, {3, 27}});
     const auto part = curve.between(-2, 2.5), taller = curve.scaled(1e-6);
     CHECK(part.lowest() == -2);
     CHECK(part.highest() == 2.5);

@@ -130,7 +130,7 @@ TEST_CASE("Every other word for a process has one meaning, whatever its capitals
             words.push_back(word);
             rest.remove_prefix(std::min(end + 1, rest.size()));
         }
-    for (const auto& known : names<Process>) CHECK(detail::find_process(known.name) == known.value);
+    for (const auto& known : enum_names<Process>) CHECK(detail::find_process(known.name) == known.value);
     CHECK(detail::find_process("Sand_Blasted") == Process::blasted);
     CHECK(detail::find_process("edm") == Process::eroded);
     for (const char* none : {"", "gruond", "milledd", "ground,turned"})

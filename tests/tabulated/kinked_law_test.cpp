@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Truth: the contacts themselves at random pressures; differences of p(d); sums over a few summits in closed form.
 #include <fstiff/contact/contact.hpp>
-#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/crossover.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
@@ -51,12 +51,12 @@ struct Laws {
     HeightMap<double> map;
     double g = map_spectrum(map, Edges::periodic).rms_gradient();
     detail::GaussianOrder<double> order = detail::gaussian_order(map);
-    BearingContact<double> crowded{PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0), order.curve,
-                                   order.rms_height};
+    MaterialRatioContact<double> crowded{PerssonContact<double>(map_spectrum(order.map, Edges::periodic), 1.0),
+                                         order.curve, order.rms_height};
     Summits<double> summits = summits_of(map);
     SummitContact<double> alone{summits, 1.0};
     detail::MutualSummits<double> mutual{summits, 1.0, Edges::periodic};
-    HybridContact<double, SummitContact<double>, HandOver<double>> hybrid{
+    HybridContact<double, SummitContact<double>, Crossover<double>> hybrid{
         alone, crowded, detail::hand_over_of(summits, crowded, Edges::periodic)};
     PlasticContact<double, decltype(hybrid), detail::MapCut<double>> plastic{
         hybrid, detail::MapCut<double>(map, 1.0, Edges::periodic), 0.1 * g};

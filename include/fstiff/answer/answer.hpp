@@ -67,7 +67,7 @@ struct AnswerOptions {
 };
 
 /// A value between the 5 % and the 95 % end of its band; NaN where there is none.
-struct Banded {
+struct WithBand {
     double low = std::numeric_limits<double>::quiet_NaN(), value = low, high = low;
 };
 
@@ -84,7 +84,7 @@ struct AnswerPoint {
     /// A quantity; one that does not follow from K has no ends.
     struct Value {
         const AnswerQuantity* quantity = nullptr;
-        Banded number{};
+        WithBand number{};
         double error = 0;  ///< numerical, of the value
     };
 
@@ -92,8 +92,8 @@ struct AnswerPoint {
     std::string reason{};                       ///< why there is no K; empty where there is one
     Miss miss = Miss::none;                     ///< the kind of it
     std::size_t place = 0;                      ///< among the points that were asked for
-    Banded stiffness{};                         ///< K of the nominal area [Pa/m]; without a band three equal numbers
-    LawName law = LawName::none;                ///< that gave it
+    WithBand stiffness{};                       ///< K of the nominal area [Pa/m]; without a band three equal numbers
+    LawKind law = LawKind::none;                ///< that gave it
     Causes<double> causes{};                    ///< of the band of an answer, in ln K: shares_of() are their shares
     std::optional<double> p_star{};             ///< p/(E g)
     std::optional<double> contacts{};           ///< expected on the nominal area, or on that of the measurement
@@ -119,7 +119,7 @@ struct AnswerPoint {
 
 /// One law on one joint distribution of peaks, at every point.
 struct AnswerCurve {
-    LawName law{};                        ///< of an answer that without boundary elements
+    LawKind law{};                        ///< of an answer that without boundary elements
     std::optional<double> theta{}, r{};   ///< of the peaks; none: a law without them
     std::vector<AnswerPoint> points{};    ///< in their order
     bool has_band = false;                ///< K has one
@@ -137,7 +137,7 @@ struct AnswerCurve {
 /// A number that was assumed, with 5 and 95 % of it.
 struct AssumedNumber {
     Unknown which{};
-    Banded range{};         ///< of the number; of an rms height of Ra or Sa, Ra/Rq or Sa/Sq
+    WithBand range{};       ///< of the number; of an rms height of Ra or Sa, Ra/Rq or Sa/Sq
     bool of_other = false;  ///< of Joint::other
 };
 

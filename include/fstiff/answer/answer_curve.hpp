@@ -15,7 +15,7 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 [[nodiscard]] KnownAs known_as(const ResolvedJoint& problem);
 
 /// The error of \p law at the p* of \p reason, with that of the grid \p relative to K.
-[[nodiscard]] CauseSpread<double> law_error(const ResolvedJoint& problem, LawName law, const AnswerReason& reason,
+[[nodiscard]] CauseSpread<double> law_error(const ResolvedJoint& problem, LawKind law, const AnswerReason& reason,
                                             double relative = 0);
 /// Noise over the rms height, above which it is a concern.
 inline constexpr double most_noise = 0.05;

@@ -97,7 +97,7 @@ FSTIFF_INLINE HeightShape<double> farthest_shape(const Face& face) {
     return shape;
 }
 
-FSTIFF_INLINE CauseSpread<double> law_error(const ResolvedJoint& problem, LawName law, const AnswerReason& reason,
+FSTIFF_INLINE CauseSpread<double> law_error(const ResolvedJoint& problem, LawKind law, const AnswerReason& reason,
                                             double grid) {
     LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
@@ -149,7 +149,7 @@ FSTIFF_INLINE void hand_over(const ResolvedJoint& problem, const Solved& to, std
     };
     const bool scatters = is_map_itself(problem) && problem.face.map->maps.size() > 1;  // by scatter_of_shifts()
     const double grid = scatters ? 0 : to.state.stiffness.error / to.state.stiffness.value;
-    const auto error = law_error(problem, LawName::boundary_elements, reason, std::isfinite(grid) ? grid : 0);
+    const auto error = law_error(problem, LawKind::boundary_elements, reason, std::isfinite(grid) ? grid : 0);
     auto& law = reason.causes[static_cast<std::size_t>(Cause::law)];
     auto& cut_offs = reason.causes[static_cast<std::size_t>(Cause::cut_offs)];
     law = toward(law, error, to.weight);
@@ -219,7 +219,7 @@ private:
     }
 
     const ResolvedJoint& problem_;
-    LawName law_;
+    LawKind law_;
     const AnyContact* contact_;
     bool rises_;          ///< K, with the pressure: most loads cannot have the greatest end
     double closing_ = 0;  ///< E g [Pa]

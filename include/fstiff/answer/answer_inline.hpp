@@ -187,7 +187,7 @@ FSTIFF_INLINE void take_state(const ResolvedJoint& joint, const LawCurve& curve,
     const double K = curve.states[i].stiffness.value;
     point.state = curve.states[i];
     point.pressure = point.state.pressure.value;
-    point.stiffness = curve.band.empty() ? Banded{K, K, K} : Banded{curve.band[i].low, K, curve.band[i].high};
+    point.stiffness = curve.band.empty() ? WithBand{K, K, K} : WithBand{curve.band[i].low, K, curve.band[i].high};
     point.law = curve.law_at(i).which;
     if (!curve.band.empty()) point.failed = curve.band[i].failed;
     if (curve.rms_gradient)

@@ -35,7 +35,7 @@ struct AnswerQuantity {
         nothing = 0,
         area = 1,         ///< Joint::nominal_area
         waves = 2,        ///< Joint::waves
-        shear_waves = 4,  ///< Waves::shear
+        shear_waves = 4,  ///< UltrasonicWaves::shear
         slip = 8,         ///< Friction::amplitude
         heat = 16,        ///< Conduction::thermal
         current = 32,     ///< Conduction::electrical

@@ -33,24 +33,24 @@ namespace law_rows {
 
 /// A law of namespace laws: its name, and what computes it.
 struct ChosenLaw {
-    LawName which = LawName::none;
+    LawKind which = LawKind::none;
     const detail::Law& (*row)() = nullptr;  ///< null: no law
 };
 
 /// Every law that can be chosen.
 namespace laws {
 
-inline constexpr ChosenLaw fractal{LawName::fractal, detail::law_rows::fractal},
-    fractal_consistent{LawName::fractal_consistent, detail::law_rows::fractal_consistent},
-    hertz{LawName::hertz, detail::law_rows::hertz},
-    greenwood_williamson{LawName::greenwood_williamson, detail::law_rows::greenwood_williamson},
-    hybrid{LawName::hybrid, detail::law_rows::hybrid}, persson{LawName::persson, detail::law_rows::persson},
-    summits{LawName::summits, detail::law_rows::summits}, plastic{LawName::plastic, detail::law_rows::plastic},
-    plastic_peaks{LawName::plastic_peaks, detail::law_rows::plastic_peaks},
-    jackson_green{LawName::jackson_green, detail::law_rows::jackson_green},
-    kogut_etsion{LawName::kogut_etsion, detail::law_rows::kogut_etsion},
-    boundary_elements{LawName::boundary_elements, detail::law_rows::boundary_elements},
-    proportional{LawName::proportional, detail::law_rows::proportional};
+inline constexpr ChosenLaw fractal{LawKind::fractal, detail::law_rows::fractal},
+    fractal_consistent{LawKind::fractal_consistent, detail::law_rows::fractal_consistent},
+    hertz{LawKind::hertz, detail::law_rows::hertz},
+    greenwood_williamson{LawKind::greenwood_williamson, detail::law_rows::greenwood_williamson},
+    hybrid{LawKind::hybrid, detail::law_rows::hybrid}, persson{LawKind::persson, detail::law_rows::persson},
+    summits{LawKind::summits, detail::law_rows::summits}, plastic{LawKind::plastic, detail::law_rows::plastic},
+    plastic_peaks{LawKind::plastic_peaks, detail::law_rows::plastic_peaks},
+    jackson_green{LawKind::jackson_green, detail::law_rows::jackson_green},
+    kogut_etsion{LawKind::kogut_etsion, detail::law_rows::kogut_etsion},
+    boundary_elements{LawKind::boundary_elements, detail::law_rows::boundary_elements},
+    proportional{LawKind::proportional, detail::law_rows::proportional};
 
 }  // namespace laws
 }}  // namespace fstiff

@@ -90,7 +90,7 @@ FSTIFF_INLINE std::optional<Check<double>> beyond_comparison(const ResolvedJoint
                         .limit = detail::max_compared_flow * hardness_of(problem)};
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         const double pressure = curve.states[i].pressure.value;
-        if (curve.law_at(i).which != LawName::plastic || !(pressure > check.limit)) continue;
+        if (curve.law_at(i).which != LawKind::plastic || !(pressure > check.limit)) continue;
         check.least = (std::min)(check.least, pressure), check.greatest = (std::max)(check.greatest, pressure);
         if (check.violations++ == 0) check.first = i;
     }

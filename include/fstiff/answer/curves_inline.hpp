@@ -236,7 +236,7 @@ FSTIFF_INLINE const Law& law_of_answer(ResolvedJoint& problem, bool at_separatio
     const std::array choices{laws::plastic, laws::hybrid, laws::hertz, laws::greenwood_williamson};
     for (const ChosenLaw& law : choices)
         if (lack_of(law.row(), problem, at_separations) == Lack::nothing) question.available.push_back(law.which);
-    const LawName law = detail::answering_law(question);
+    const LawKind law = detail::answering_law(question);
     return std::find_if(choices.begin(), choices.end(), [&](const ChosenLaw& each) { return each.which == law; })
         ->row();
 }

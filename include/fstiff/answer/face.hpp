@@ -9,7 +9,7 @@
 #include <fstiff/answer/laws.hpp>
 #include <fstiff/measure/measure.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
@@ -61,15 +61,16 @@ struct Face {
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of the moments that the other numbers make
     bool gradient_of_islands = false;  ///< rms_gradient is that of R and D_p, which no Gaussian surface has
     Process process = Process::unknown;
-    std::vector<Prior> priors;                            ///< none of what is known; of a sum those of both faces
-    bool spectrum_of_map = true;                          ///< [persson] spectrum = "map", where there is one
-    std::string_view instead_of_map{};                    ///< the number that was given in place of those of the map
-    std::shared_ptr<const MapOfSurface> map;              ///< where the surface was measured as a map
-    std::optional<HeightStatistics<double>> heights;      ///< where the surface was measured
-    HeightShape<double> shape;                            ///< of the heights, given or as far as a measured one counts
-    std::shared_ptr<const BearingSlope<double>> bearing;  ///< of heights over the rms height; none of Gaussian heights
-    std::shared_ptr<const Surface<double>> measured;      ///< none for a sum
-    std::optional<double> lambda_s;                       ///< that it was measured with [m]
+    std::vector<Prior> priors;                        ///< none of what is known; of a sum those of both faces
+    bool spectrum_of_map = true;                      ///< [persson] spectrum = "map", where there is one
+    std::string_view instead_of_map{};                ///< the number that was given in place of those of the map
+    std::shared_ptr<const MapOfSurface> map;          ///< where the surface was measured as a map
+    std::optional<HeightStatistics<double>> heights;  ///< where the surface was measured
+    HeightShape<double> shape;                        ///< of the heights, given or as far as a measured one counts
+    std::shared_ptr<const MaterialRatioSlope<double>>
+        bearing;                                      ///< of heights over the rms height; none of Gaussian heights
+    std::shared_ptr<const Surface<double>> measured;  ///< none for a sum
+    std::optional<double> lambda_s;                   ///< that it was measured with [m]
     /// The map with the lambda_s of the tables, which `map` has not: none where lambda_s was given, or there is none.
     std::shared_ptr<const HeightMap<double>> filtered;
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured

@@ -17,8 +17,8 @@
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/contact/interaction.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/process_prior.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 
@@ -60,7 +60,7 @@ struct JointFace {
     /// of two levels, the curve is that of least_kurtosis().
     std::optional<double> skewness{}, kurtosis{};
     /// In place of them, the heights [m] over the material ratio: of_heights() of it, or detail::bearing_of_core().
-    std::optional<BearingSlope<double>> bearing{};
+    std::optional<MaterialRatioSlope<double>> bearing{};
     std::optional<double> peak_radius{};      ///< R [m], above 0
     std::optional<double> peak_density{};     ///< D_p [1/m^2], above 0
     std::optional<double> max_peak_height{};  ///< R_p [m], above 0
@@ -94,7 +94,7 @@ struct Body {
 }
 
 /// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
-struct Waves {
+struct UltrasonicWaves {
     double frequency = 0;                     ///< [Hz], above 0
     Impedances<double> longitudinal{};        ///< the wave comes from the upper body
     std::optional<Impedances<double>> shear;  ///< none: not known
@@ -130,7 +130,7 @@ struct Joint {
     std::optional<double> nominal_area{};  ///< [m^2], above 0
     int shifts = 4;                        ///< of the map of the other face over that of the first, where both are maps
     Interaction<double> interaction{};  ///< of the peaks, for laws that are named; those of the answer have their own
-    std::optional<Waves> waves{};
+    std::optional<UltrasonicWaves> waves{};
     Conduction conduction{};
     std::optional<Friction> friction{};
 };

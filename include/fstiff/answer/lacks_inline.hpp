@@ -70,7 +70,7 @@ FSTIFF_INLINE void require_possible(const Law& law, const ResolvedJoint& problem
 }
 
 FSTIFF_INLINE const Law& possible_law(const ChosenLaw& law, const ResolvedJoint& problem, bool at_separations) {
-    if (!law.row) throw domain_error("law: must be one of " + choices_text<LawName>());
+    if (!law.row) throw domain_error("law: must be one of " + choices_text<LawKind>());
     require_possible(law.row(), problem, at_separations);
     return law.row();
 }

@@ -3,7 +3,7 @@
 /// \file
 /// The law that answers at one pressure, and how far boundary elements of the map do.
 ///
-///     q.known = KnownAs::map;  q.available = {LawName::hybrid, LawName::boundary_elements};
+///     q.known = KnownAs::map;  q.available = {LawKind::hybrid, LawKind::boundary_elements};
 ///     answering_law(q)                       boundary_elements, where 20 points of the grid or more touch
 ///
 /// Reference   docs/accuracy.md
@@ -33,17 +33,17 @@ template <Real T>
 }
 
 /// The laws that answer where no boundary elements do, the preferred ones first.
-inline constexpr std::array laws_of_numbers{LawName::plastic, LawName::hybrid, LawName::hertz,
-                                            LawName::greenwood_williamson};
+inline constexpr std::array laws_of_numbers{LawKind::plastic, LawKind::hybrid, LawKind::hertz,
+                                            LawKind::greenwood_williamson};
 
 /// Facts on a contact at one pressure.
 template <Real T = double>
 struct AnswerQuestion {
-    std::vector<LawName> available{};  ///< laws that can be computed of the surface
+    std::vector<LawKind> available{};  ///< laws that can be computed of the surface
     KnownAs known = KnownAs::map;
     T points_in_contact{};  ///< of the grid of boundary elements; 0: not solved
 
-    [[nodiscard]] bool can(LawName law) const {
+    [[nodiscard]] bool can(LawKind law) const {
         return std::find(available.begin(), available.end(), law) != available.end();
     }
 };
@@ -51,10 +51,10 @@ struct AnswerQuestion {
 /// The law that answers: boundary elements of the map if min_points_in_contact touch, else plastic, which needs a
 /// hardness, hybrid, hertz, greenwood_williamson. \throws domain_error where none of them is available.
 template <Real T>
-[[nodiscard]] LawName answering_law(const AnswerQuestion<T>& question) {
-    if (question.can(LawName::boundary_elements) && question.points_in_contact >= T(min_points_in_contact))
-        return LawName::boundary_elements;
-    for (const LawName law : laws_of_numbers)
+[[nodiscard]] LawKind answering_law(const AnswerQuestion<T>& question) {
+    if (question.can(LawKind::boundary_elements) && question.points_in_contact >= T(min_points_in_contact))
+        return LawKind::boundary_elements;
+    for (const LawKind law : laws_of_numbers)
         if (question.can(law)) return law;
     throw domain_error("no law answers: the surface must have a height and a gradient, or a map");
 }

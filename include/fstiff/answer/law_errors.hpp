@@ -3,7 +3,7 @@
 /// \file
 /// Error of a law by itself: the interval of K of the contact about K of the law, other errors apart.
 ///
-///     const auto error = fstiff::detail::law_error<double>({.law = fstiff::LawName::hybrid, .p_star = 0.01});
+///     const auto error = fstiff::detail::law_error<double>({.law = fstiff::LawKind::hybrid, .p_star = 0.01});
 ///     use(K * std::exp(error.low), K * std::exp(error.high));       5 and 95 %
 ///
 ///     low  = -sqrt(low(p*)^2 + sum low_i^2),  high = sqrt(high(p*)^2 + sum high_i^2)
@@ -42,7 +42,7 @@ enum class KnownAs {
 /// Inputs of the error of a law.
 template <Real T = double>
 struct LawErrorQuestion {
-    LawName law{};
+    LawKind law{};
     KnownAs known = KnownAs::map;
     T p_star = std::numeric_limits<T>::quiet_NaN(), hardness{};  ///< hardness: H/(E g); 0: not known
     std::optional<Measurement<T>> skewness{}, kurtosis{};        ///< of heights, measured or taken
@@ -66,20 +66,20 @@ inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}
 // clang-format on
 
 /// The row of \p law.
-[[nodiscard]] constexpr LawErrorRow law_error_row(LawName law, KnownAs known) {
+[[nodiscard]] constexpr LawErrorRow law_error_row(LawKind law, KnownAs known) {
     if (known == KnownAs::height) return {{35, 35, 35, 55, 73, 35, 25}, {80, 70, 60, 60, 64, 50, 35}};
     switch (law) {
-        case LawName::boundary_elements: return {{12, 9, 7, 7, 7, 5, 7}, {8, 6, 5, 4, 3, 3, 3}};
-        case LawName::hybrid:
+        case LawKind::boundary_elements: return {{12, 9, 7, 7, 7, 5, 7}, {8, 6, 5, 4, 3, 3, 3}};
+        case LawKind::hybrid:
             if (known == KnownAs::map) return {{22, 18, 9, 6, 4, 13, 20}, {20, 12, 9, 9, 11, 3, 2}};
             if (known == KnownAs::trace) return {{50, 50, 50, 50, 45, 35, 30}, {25, 25, 25, 20, 20, 25, 30}};
             return {{25, 20, 16, 15, 12, 12, 18}, {25, 20, 18, 15, 14, 20, 28}};
-        case LawName::plastic:
+        case LawKind::plastic:
             if (known == KnownAs::map) return {{22, 20, 12, 10, 8, 8, 16}, {14, 12, 10, 11, 12, 11, 20}};
             if (known == KnownAs::trace) return {{30, 30, 26, 22, 20, 20, 20}, {36, 34, 28, 20, 12, 12, 14}};
             return {{30, 30, 24, 17, 14, 11, 14}, {32, 31, 20, 12, 10, 9, 12}};
-        case LawName::persson: return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
-        case LawName::summits: return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
+        case LawKind::persson: return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
+        case LawKind::summits: return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
         default: return {{45, 40, 35, 30, 25, 20, 20}, {30, 30, 30, 35, 55, 90, 150}};
     }
 }
@@ -103,9 +103,9 @@ template <Real T>
 template <Real T>
 [[nodiscard]] CauseSpread<T> law_error(const LawErrorQuestion<T>& question) {
     const T H = question.hardness;
-    const bool yields = question.law == LawName::plastic && H > T(0);
+    const bool yields = question.law == LawKind::plastic && H > T(0);
     const LawErrorRow flowed = law_error_row(question.law, question.known),
-                      elastic = yields ? law_error_row(LawName::hybrid, question.known) : flowed;
+                      elastic = yields ? law_error_row(LawKind::hybrid, question.known) : flowed;
     const T share = std::clamp(question.p_star / H, T(1.5e-4), T(law_error_pressures.back())),  // K goes as p/H below
         of_elastic = H * H / (H * H + T(0.25));
     const auto spread = [&](const LawErrorTable& of_flowed, const LawErrorTable& of_elastic_peaks, T least) {

@@ -23,9 +23,9 @@ struct FitInputs {
 /// The laws that can be fitted.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
 /// Whether \p law has exact derivatives by its parameters.
-[[nodiscard]] bool has_exact_fit(LawName law);
+[[nodiscard]] bool has_exact_fit(LawKind law);
 /// Fits \p law, which has exact derivatives. \throws as fstiff::identify.
-[[nodiscard]] Identification<double> fit_exactly(LawName law, const FitInputs& inputs);
+[[nodiscard]] Identification<double> fit_exactly(LawKind law, const FitInputs& inputs);
 /// Fits the parameters of any curve, by differences. \throws as detail::identify_by_differences.
 [[nodiscard]] Identification<double> fit_curve(const FitInputs& inputs, const CurveOfParameters<double>& curve);
 

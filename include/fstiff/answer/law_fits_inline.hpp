@@ -16,14 +16,14 @@ FSTIFF_INLINE std::vector<std::string_view> fitted_law_names() {
     return names;
 }
 
-FSTIFF_INLINE bool has_exact_fit(LawName law) {
-    return law == LawName::fractal || law == LawName::fractal_consistent || law == LawName::hertz;
+FSTIFF_INLINE bool has_exact_fit(LawKind law) {
+    return law == LawKind::fractal || law == LawKind::fractal_consistent || law == LawKind::hertz;
 }
 
-FSTIFF_INLINE Identification<double> fit_exactly(LawName law, const FitInputs& inputs) {
+FSTIFF_INLINE Identification<double> fit_exactly(LawKind law, const FitInputs& inputs) {
     const auto of_dimension = [law](double dimension) -> ElasticLaw<double> {  // one fit is compiled for all three
-        if (law == LawName::fractal) return FractalLaw<double>(dimension);
-        if (law == LawName::fractal_consistent) return FractalConsistentLaw<double>(dimension);
+        if (law == LawKind::fractal) return FractalLaw<double>(dimension);
+        if (law == LawKind::fractal_consistent) return FractalConsistentLaw<double>(dimension);
         return HertzLaw<double>{};
     };
     return identify(inputs.data, inputs.parameters, inputs.start, of_dimension, inputs.options);

@@ -3,14 +3,14 @@
 /// \file
 /// The laws of contact by their names, as scenes, commands and documents have them.
 ///
-///     name_of(fstiff::LawName::hybrid)          "hybrid"
+///     name_of(fstiff::LawKind::hybrid)          "hybrid"
 
 #include <fstiff/core/names.hpp>
 
 namespace fstiff { inline namespace v0_1 {
 
 /// The laws of contact.
-enum class LawName {
+enum class LawKind {
     none = -1,  ///< of a point without a result; it has no word
     fractal,
     fractal_consistent,
@@ -28,19 +28,19 @@ enum class LawName {
 };
 
 template <>
-inline constexpr auto names<LawName> = detail::name_list<LawName>({{LawName::fractal, "fractal"},
-                                                                   {LawName::fractal_consistent, "fractal_consistent"},
-                                                                   {LawName::hertz, "hertz"},
-                                                                   {LawName::greenwood_williamson,
-                                                                    "greenwood_williamson"},
-                                                                   {LawName::hybrid, "hybrid"},
-                                                                   {LawName::persson, "persson"},
-                                                                   {LawName::summits, "summits"},
-                                                                   {LawName::plastic, "plastic"},
-                                                                   {LawName::plastic_peaks, "plastic_peaks"},
-                                                                   {LawName::jackson_green, "jackson_green"},
-                                                                   {LawName::kogut_etsion, "kogut_etsion"},
-                                                                   {LawName::boundary_elements, "boundary_elements"},
-                                                                   {LawName::proportional, "proportional"}});
+inline constexpr auto enum_names<LawKind> =
+    detail::name_list<LawKind>({{LawKind::fractal, "fractal"},
+                                {LawKind::fractal_consistent, "fractal_consistent"},
+                                {LawKind::hertz, "hertz"},
+                                {LawKind::greenwood_williamson, "greenwood_williamson"},
+                                {LawKind::hybrid, "hybrid"},
+                                {LawKind::persson, "persson"},
+                                {LawKind::summits, "summits"},
+                                {LawKind::plastic, "plastic"},
+                                {LawKind::plastic_peaks, "plastic_peaks"},
+                                {LawKind::jackson_green, "jackson_green"},
+                                {LawKind::kogut_etsion, "kogut_etsion"},
+                                {LawKind::boundary_elements, "boundary_elements"},
+                                {LawKind::proportional, "proportional"}});
 
 }}  // namespace fstiff

@@ -20,7 +20,7 @@ inline constexpr Quantity without_contacts = Quantity::pressure | Quantity::sepa
                                              Quantity::real_area_fraction | Quantity::loading_stiffness;
 
 FSTIFF_INLINE const Law& fractal() {
-    static const Law row{.which = LawName::fractal,
+    static const Law row{.which = LawKind::fractal,
                          .nature = "as printed in the paper: K is not the slope of the load (docs/errata.md)",
                          .needs_dimension = true,
                          .load = "(3.7)",
@@ -31,7 +31,7 @@ FSTIFF_INLINE const Law& fractal() {
 }
 
 FSTIFF_INLINE const Law& fractal_consistent() {
-    static const Law row{.which = LawName::fractal_consistent,
+    static const Law row{.which = LawKind::fractal_consistent,
                          .nature = "elastic: K of the paper, with the load that has this slope",
                          .needs_dimension = true,
                          .load = "integral of (3.14)",
@@ -42,7 +42,7 @@ FSTIFF_INLINE const Law& fractal_consistent() {
 }
 
 FSTIFF_INLINE const Law& hertz() {
-    static const Law row{.which = LawName::hertz,
+    static const Law row{.which = LawKind::hertz,
                          .nature = "elastic: K is the slope of the load",
                          .load = "(3.7)",
                          .stiffness = "derivative of (3.7)",
@@ -52,7 +52,7 @@ FSTIFF_INLINE const Law& hertz() {
 }
 
 FSTIFF_INLINE const Law& greenwood_williamson() {
-    static const Law row{.which = LawName::greenwood_williamson,
+    static const Law row{.which = LawKind::greenwood_williamson,
                          .nature = "elastic, peaks of one radius",
                          .has_peaks = false,
                          .load = "(3.7)",
@@ -64,7 +64,7 @@ FSTIFF_INLINE const Law& greenwood_williamson() {
 
 FSTIFF_INLINE const Law& hybrid() {
     static const Law row{
-        .which = LawName::hybrid,
+        .which = LawKind::hybrid,
         .nature = "elastic, for all loads: peaks and Persson's theory",
         .has_peaks = false,
         .load = "at equal K",
@@ -77,7 +77,7 @@ FSTIFF_INLINE const Law& hybrid() {
 }
 
 FSTIFF_INLINE const Law& persson() {
-    static const Law row{.which = LawName::persson,
+    static const Law row{.which = LawKind::persson,
                          .nature = "elastic, from the spectrum: crowded contacts",
                          .has_peaks = false,
                          .load = "Persson (2007)",
@@ -91,13 +91,13 @@ FSTIFF_INLINE const Law& persson() {
 }
 
 FSTIFF_INLINE const Law& summits() {
-    static const Law row{.which = LawName::summits,
+    static const Law row{.which = LawKind::summits,
                          .nature = "elastic, the map's own summits, which push each other down",
                          .has_peaks = false,
                          .load = "(3.7)",
                          .stiffness = "derivative of (3.7)",
                          .peaks = "the summits of the map",
-                         .contact = of_map<LawName::summits>,
+                         .contact = of_map<LawKind::summits>,
                          .needs_map = true,
                          .needs_summits = true,
                          .ends = true,
@@ -106,7 +106,7 @@ FSTIFF_INLINE const Law& summits() {
 }
 
 FSTIFF_INLINE const Law& plastic() {
-    static const Law row{.which = LawName::plastic,
+    static const Law row{.which = LawKind::plastic,
                          .nature = "yielded peaks: K is that of unloading, which a wave measures",
                          .load = "hardness and hybrid",
                          .stiffness = "from hybrid to the cut at p/H",
@@ -121,7 +121,7 @@ FSTIFF_INLINE const Law& plastic() {
 
 FSTIFF_INLINE const Law& plastic_peaks() {
     static const Law row{
-        .which = LawName::plastic_peaks,
+        .which = LawKind::plastic_peaks,
         .nature = "fully plastic peaks without interaction: K is that of unloading, which a wave measures",
         .load = "hardness times area, 2 pi R omega",
         .stiffness = "unloading, 2 E a",
@@ -133,7 +133,7 @@ FSTIFF_INLINE const Law& plastic_peaks() {
 }
 
 FSTIFF_INLINE const Law& jackson_green() {
-    static const Law row{.which = LawName::jackson_green,
+    static const Law row{.which = LawKind::jackson_green,
                          .nature = "elastic to plastic: K is that of unloading, which a wave measures",
                          .load = "Jackson, Green (2005)",
                          .stiffness = "unloading, 2 E a",
@@ -145,7 +145,7 @@ FSTIFF_INLINE const Law& jackson_green() {
 }
 
 FSTIFF_INLINE const Law& kogut_etsion() {
-    static const Law row{.which = LawName::kogut_etsion,
+    static const Law row{.which = LawKind::kogut_etsion,
                          .nature = "elastic to plastic: K is that of unloading, which a wave measures",
                          .load = "Kogut, Etsion (2002)",
                          .stiffness = "unloading, 2 E a",
@@ -157,13 +157,13 @@ FSTIFF_INLINE const Law& kogut_etsion() {
 }
 
 FSTIFF_INLINE const Law& boundary_elements() {
-    static const Law row{.which = LawName::boundary_elements,
+    static const Law row{.which = LawKind::boundary_elements,
                          .nature = "the half-space solution for the map itself; the error is that of the grid",
                          .has_peaks = false,
                          .load = "elastic half space",
                          .stiffness = "of the contact held together",
                          .peaks = "the map itself",
-                         .contact = of_map<LawName::boundary_elements>,
+                         .contact = of_map<LawKind::boundary_elements>,
                          .needs_map = true,
                          .needs_whole_map = true,
                          .holds_when_crowded = true,
@@ -172,7 +172,7 @@ FSTIFF_INLINE const Law& boundary_elements() {
 }
 
 FSTIFF_INLINE const Law& proportional() {
-    static const Law row{.which = LawName::proportional,
+    static const Law row{.which = LawKind::proportional,
                          .nature = "elastic, from the rms height alone: K is p/(0.48 sigma)",
                          .has_peaks = false,
                          .load = "not given",
@@ -197,14 +197,14 @@ inline constexpr std::array<ChosenLaw, 13> all{laws::fractal,       laws::fracta
 FSTIFF_INLINE std::span<const ChosenLaw> all_laws() { return law_rows::all; }
 
 FSTIFF_INLINE std::vector<std::string_view> law_names() {
-    const auto words = detail::choices<LawName>();
+    const auto words = detail::choices<LawKind>();
     return {words.begin(), words.end()};
 }
 
-FSTIFF_INLINE const Law& find_law(LawName name) { return law_rows::all[static_cast<std::size_t>(name)].row(); }
+FSTIFF_INLINE const Law& find_law(LawKind name) { return law_rows::all[static_cast<std::size_t>(name)].row(); }
 
 FSTIFF_INLINE const Law* find_law(std::string_view name) {
-    const auto match = detail::find_named<LawName>(name);
+    const auto match = detail::find_named<LawKind>(name);
     return match ? &find_law(*match) : nullptr;
 }
 

@@ -13,8 +13,8 @@
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/peaks/quantity.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/spectrum.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
@@ -40,7 +40,7 @@
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
-[[nodiscard]] std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
+[[nodiscard]] std::shared_ptr<const MaterialRatioSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
 
 /// The spectra that a function makes, of each way to go on beyond the edges: each costs a transform of every map, so
 /// that it is made when a law first asks for it, and all copies of a surface share it.
@@ -106,7 +106,7 @@ public:
         return detail::scaled(spectra->shells(edges), height_factor);
     }
     /// The contact of the maps by \p law: summits, hybrid, plastic or boundary_elements.
-    [[nodiscard]] virtual std::unique_ptr<AnyContact> contact(LawName law, const ContactInputs& inputs) const = 0;
+    [[nodiscard]] virtual std::unique_ptr<AnyContact> contact(LawKind law, const ContactInputs& inputs) const = 0;
     /// The map number \p shift, \p growth times as high, of whose \p a_side^2 tiles each is there as often as \p tiles
     /// has it.
     [[nodiscard]] virtual std::shared_ptr<const MapOfSurface> resampled(std::size_t shift, std::size_t a_side,
@@ -154,15 +154,15 @@ struct ContactInputs {
     double hurst = 0.8;
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
-    const BearingSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
-    const QuickHybrid* similar = nullptr;           ///< of surfaces for a band: K alone counts, to 1e-3
-    PlasticMaterial<double> material{};             ///< of the softer body
-    ProgressHook progress{};                        ///< called once a state where that takes seconds
+    const MaterialRatioSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
+    const QuickHybrid* similar = nullptr;                 ///< of surfaces for a band: K alone counts, to 1e-3
+    PlasticMaterial<double> material{};                   ///< of the softer body
+    ProgressHook progress{};                              ///< called once a state where that takes seconds
 };
 
 /// One law.
 struct Law {
-    LawName which{};
+    LawKind which{};
     std::string_view name = name_of(which);
     std::string_view nature;       ///< what it computes: the rest of a sentence "hertz is ..."
     bool needs_dimension = false;  ///< the fractal dimension of the surface
@@ -188,7 +188,7 @@ struct Law {
 [[nodiscard]] std::span<const ChosenLaw> all_laws();
 [[nodiscard]] std::vector<std::string_view> law_names();
 /// \p name must not be none.
-[[nodiscard]] const Law& find_law(LawName name);
+[[nodiscard]] const Law& find_law(LawKind name);
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 
@@ -197,7 +197,7 @@ struct Law {
 namespace fstiff { inline namespace v0_1 {
 
 template <>
-inline constexpr auto names<detail::SpectrumSource> = detail::name_list<detail::SpectrumSource>(
+inline constexpr auto enum_names<detail::SpectrumSource> = detail::name_list<detail::SpectrumSource>(
     {{detail::SpectrumSource::map, "map"}, {detail::SpectrumSource::moments, "moments"}});
 
 }}  // namespace fstiff

@@ -92,7 +92,7 @@ struct Itself {
 };
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid_contact(const ContactInputs& inputs) {
-    if (inputs.map && inputs.spectrum_of_map) return inputs.map->contact(LawName::hybrid, inputs);
+    if (inputs.map && inputs.spectrum_of_map) return inputs.map->contact(LawKind::hybrid, inputs);
     if (!inputs.similar) return hybrid_of_numbers(inputs);
     return std::make_unique<QuickContact<Itself>>(inputs, hybrid_of_numbers, Itself());
 }
@@ -128,7 +128,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_contact(const ContactInputs& inputs) {
-    if (inputs.map && inputs.spectrum_of_map) return inputs.map->contact(LawName::plastic, inputs);
+    if (inputs.map && inputs.spectrum_of_map) return inputs.map->contact(LawKind::plastic, inputs);
     if (!inputs.similar) return plastic_of_numbers(inputs);
     return std::make_unique<QuickContact<Flowing>>(inputs, plastic_of_numbers,
                                                    Flowing{inputs.material.hardness_or_default()});
@@ -188,17 +188,19 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> proportional_contact(const ContactInpu
 }
 
 /// A law that a map alone has.
-template <LawName law>
+template <LawKind law>
 std::unique_ptr<AnyContact> of_map(const ContactInputs& inputs) {
     return inputs.map->contact(law, inputs);
 }
 
 }  // namespace law_rows
-FSTIFF_INLINE std::shared_ptr<const BearingSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
+FSTIFF_INLINE std::shared_ptr<const MaterialRatioSlope<double>> bearing_of_shape(const HeightShape<double>& shape) {
     if (shape.is_gaussian()) return nullptr;
-    static SharedValues<std::pair<double, double>, BearingSlope<double>> curves;  // of what is assumed of a process
+    static SharedValues<std::pair<double, double>, MaterialRatioSlope<double>>
+        curves;  // of what is assumed of a process
     return curves.at({shape.skewness, shape.kurtosis}, [&] {
-        return std::make_shared<const BearingSlope<double>>(detail::bearing_of_moments(shape.skewness, shape.kurtosis));
+        return std::make_shared<const MaterialRatioSlope<double>>(
+            detail::bearing_of_moments(shape.skewness, shape.kurtosis));
     });
 }
 

@@ -9,10 +9,10 @@
 #include <fstiff/answer/measured_map.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/solved_map_inline.hpp>
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/boundary_element_contact.hpp>
-#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/crossover.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/material_ratio_contact.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -47,10 +47,11 @@ public:
         : maps_(std::move(maps)), summits_(std::move(summits)) {}
 
     /// Bearing curve of the map number \p index. \throws domain_error for missing points, and as PerssonContact.
-    [[nodiscard]] BearingContact<double> contact(std::size_t index, Edges edges, double modulus, double gamma) const;
+    [[nodiscard]] MaterialRatioContact<double> contact(std::size_t index, Edges edges, double modulus,
+                                                       double gamma) const;
     /// How hybrid goes from the summits of the map number \p index to that. \throws domain_error as contact() and
     /// SummitContact.
-    [[nodiscard]] HandOver<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
+    [[nodiscard]] Crossover<double> hand_over(std::size_t index, Edges edges, double modulus, double gamma) const;
     /// The highest points of the map number \p index. \throws domain_error as HighestPoints.
     [[nodiscard]] MapCut<double> cut(std::size_t index, Edges edges, double modulus) const;
 
@@ -70,21 +71,21 @@ private:
     std::vector<std::shared_ptr<const HeightMap<double>>> maps_;
     std::vector<Summits<double>> summits_;  ///< of each map
     mutable std::mutex guard_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, BearingContact<double>> bearings_;
-    mutable std::map<std::tuple<std::size_t, Edges, double, double>, HandOver<double>> hand_overs_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, MaterialRatioContact<double>> bearings_;
+    mutable std::map<std::tuple<std::size_t, Edges, double, double>, Crossover<double>> hand_overs_;
     mutable std::map<std::tuple<std::size_t, Edges, double>, MapCut<double>> cuts_;
 };
 
-inline BearingContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus,
-                                                      double gamma) const {
+inline MaterialRatioContact<double> BearingsOfMaps::contact(std::size_t index, Edges edges, double modulus,
+                                                            double gamma) const {
     return kept(bearings_, {index, edges, modulus, gamma}, [&] {
         GaussianOrder<double> order = detail::gaussian_order(*maps_[index]);
         const PerssonContact<double> gaussian(map_spectrum(order.map, edges), modulus, gamma);
-        return BearingContact<double>(gaussian, std::move(order.curve), order.rms_height);
+        return MaterialRatioContact<double>(gaussian, std::move(order.curve), order.rms_height);
     });
 }
 
-inline HandOver<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, double modulus, double gamma) const {
+inline Crossover<double> BearingsOfMaps::hand_over(std::size_t index, Edges edges, double modulus, double gamma) const {
     return kept(hand_overs_, {index, edges, modulus, gamma},
                 [&] { return detail::hand_over_of(summits_[index], contact(index, edges, modulus, gamma), edges); });
 }
@@ -110,26 +111,26 @@ class MeasuredMap final : public MapOfSurface {
         const auto& [gamma, edges, modulus] =
             std::tie(inputs.options.gamma, inputs.options.edges, inputs.effective_modulus);
         SummitContact<double> peaks(summits[shift], modulus);
-        BearingContact<double> crowded = bearings->contact(first_bearing + shift, edges, modulus, gamma)
-                                             .scaled(height_factor)
-                                             .over_rms_height(rms_height());
-        HandOver<double> hand_over =
+        MaterialRatioContact<double> crowded = bearings->contact(first_bearing + shift, edges, modulus, gamma)
+                                                   .scaled(height_factor)
+                                                   .over_rms_height(rms_height());
+        Crossover<double> hand_over =
             bearings->hand_over(first_bearing + shift, edges, modulus, gamma).scaled(peaks, height_factor);
         return HybridContact(std::move(peaks), std::move(crowded), std::move(hand_over));
     }
 
 public:
-    [[nodiscard]] std::unique_ptr<AnyContact> contact(LawName law, const ContactInputs& inputs) const override {
+    [[nodiscard]] std::unique_ptr<AnyContact> contact(LawKind law, const ContactInputs& inputs) const override {
         switch (law) {
-            case LawName::hybrid: return over_shifts([&](std::size_t shift) { return hybrid(inputs, shift); });
-            case LawName::plastic:
+            case LawKind::hybrid: return over_shifts([&](std::size_t shift) { return hybrid(inputs, shift); });
+            case LawKind::plastic:
                 return over_shifts([&](std::size_t shift) {
                     const auto cut =
                         bearings->cut(first_bearing + shift, inputs.options.edges, inputs.effective_modulus);
                     return PlasticContact(hybrid(inputs, shift), cut.scaled(height_factor),
                                           inputs.material.hardness_or_default());
                 });
-            case LawName::summits:
+            case LawKind::summits:
                 if (!inputs.options.mutual)
                     return over_shifts([&](std::size_t shift) {
                         return SummitContact<double>(summits[shift], inputs.effective_modulus);
@@ -137,7 +138,7 @@ public:
                 return over_shifts([&](std::size_t shift) {
                     return MutualSummits<double>(summits[shift], inputs.effective_modulus, inputs.options.edges);
                 });
-            case LawName::boundary_elements: return boundary_elements(inputs);
+            case LawKind::boundary_elements: return boundary_elements(inputs);
             default: throw domain_error("law " + std::string(name_of(law)) + ": takes no map");
         }
     }
@@ -191,14 +192,14 @@ public:
                                                             const Request& request) const override {
         const LawOptions& options = problem.law_options;
         const double modulus = problem.effective_modulus, hardness = hardness_of(problem);
-        const auto asks_for = [&](LawName name) {
+        const auto asks_for = [&](LawKind name) {
             return std::any_of(request.laws.begin(), request.laws.end(),
                                [name](const Law* law) { return law->which == name; });
         };
-        const bool flows = asks_for(LawName::plastic);
+        const bool flows = asks_for(LawKind::plastic);
         std::vector<std::function<void()>> parts;
         for (std::size_t i = first_bearing; i < first_bearing + summits.size(); ++i) {
-            if (flows || asks_for(LawName::hybrid))
+            if (flows || asks_for(LawKind::hybrid))
                 parts.push_back([=, this] { (void)bearings->hand_over(i, options.edges, modulus, options.gamma); });
             if (flows)
                 parts.push_back([=, this, &request] {
@@ -230,10 +231,10 @@ private:
     }
     [[nodiscard]] std::unique_ptr<AnyContact> boundary_elements(const ContactInputs& inputs) const {
         const LawOptions& options = inputs.options;
-        const TruthOptions<double> settings{.points = options.points,
-                                            .edges = options.edges,
-                                            .hardness = options.hardness,
-                                            .progress = inputs.progress};
+        const HalfSpaceOptions<double> settings{.points = options.points,
+                                                .edges = options.edges,
+                                                .hardness = options.hardness,
+                                                .progress = inputs.progress};
         std::vector<BoundaryElementContact<double>> of_shifts;
         for (const auto& map : maps) of_shifts.emplace_back(*map, inputs.effective_modulus, settings);
         return mean_over(std::move(of_shifts));

@@ -10,7 +10,7 @@
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/core/shared_values.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include <algorithm>
 #include <array>
@@ -75,7 +75,7 @@ private:
 
 class HybridsOfDraws final : public QuickHybrid {
 public:
-    HybridsOfDraws(const BearingSlope<double>* bearing, double gamma) : table_(bearing, gamma) {}
+    HybridsOfDraws(const MaterialRatioSlope<double>* bearing, double gamma) : table_(bearing, gamma) {}
     std::optional<double> stiffness(const ContactInputs& inputs, double pressure) const override {
         return table_.stiffness(inputs.moments, inputs.hurst, inputs.effective_modulus, pressure);
     }
@@ -109,7 +109,7 @@ FSTIFF_INLINE std::shared_ptr<const UnitHybrid> unit_hybrid(double gamma, double
 }
 /// The same of a bearing curve that ends as high as \p bearing, for with_bearing().
 FSTIFF_INLINE std::shared_ptr<const ScaledUnitHybrid> unit_hybrid(double gamma, double alpha, double hurst,
-                                                                  const BearingSlope<double>& bearing) {
+                                                                  const MaterialRatioSlope<double>& bearing) {
     static SharedValues<std::array<double, 4>, ScaledUnitHybrid> contacts;
     return contacts.at({gamma, alpha, hurst, (std::min)(bearing.highest(), highest_score<double>)}, [&] {
         return std::make_shared<const ScaledUnitHybrid>(
@@ -141,7 +141,7 @@ private:
     struct Surface {
         std::shared_ptr<const UnitHybrid> gaussian;
         std::shared_ptr<const ScaledUnitHybrid> any_scaled;  ///< that all bearing curves are made of
-        std::map<const BearingSlope<double>*, ScaledUnitHybrid> scaled;
+        std::map<const MaterialRatioSlope<double>*, ScaledUnitHybrid> scaled;
     };
     static double closing_of(const ContactInputs& inputs) {
         return inputs.effective_modulus * std::sqrt(2 * inputs.moments.m2);
@@ -153,7 +153,7 @@ private:
         // the same alpha after rounding is one surface
         const double alpha = std::exp(std::round(std::log(inputs.moments.bandwidth()) * 1e9) / 1e9);
         Surface& surface = surfaces_[std::pair(alpha, inputs.hurst)];
-        const BearingSlope<double>* const bearing = inputs.bearing;
+        const MaterialRatioSlope<double>* const bearing = inputs.bearing;
         try {
             if (!bearing) {
                 if (!surface.gaussian) surface.gaussian = unit_hybrid(gamma_, alpha, inputs.hurst);
@@ -173,7 +173,8 @@ private:
     mutable std::map<std::pair<double, double>, Surface> surfaces_;
 };
 
-FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_draws(const BearingSlope<double>* bearing, double gamma) {
+FSTIFF_INLINE std::shared_ptr<const QuickHybrid> hybrids_of_draws(const MaterialRatioSlope<double>* bearing,
+                                                                  double gamma) {
     if (bearing) return std::make_shared<const HybridsOfDraws>(bearing, gamma);
     static SharedValues<double, HybridsOfDraws> of_gaussian_heights;
     return of_gaussian_heights.at(gamma, [&] { return std::make_shared<const HybridsOfDraws>(nullptr, gamma); });

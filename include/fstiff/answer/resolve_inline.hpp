@@ -10,8 +10,8 @@
 
 #include <fstiff/answer/unknowns.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 
 #include <cmath>
@@ -168,7 +168,7 @@ FSTIFF_INLINE void take_shape(const JointFace& spec, Face& face) {
                                    .reason = "belongs to an rms height of " + detail::rounded_text(rms, 3) +
                                              " m, and rms_height is " + detail::rounded_text(rms_height, 3) +
                                              " m; both must agree within a factor of 2"});
-    const auto of_rms = std::make_shared<const BearingSlope<double>>(spec.bearing->scaled(1 / rms_height));
+    const auto of_rms = std::make_shared<const MaterialRatioSlope<double>>(spec.bearing->scaled(1 / rms_height));
     const HeightShape<double> shape = detail::counted_shape(skewness, kurtosis, 1.0);
     face.write([&](Face& f) { f.shape = shape, f.bearing = of_rms; });
 }

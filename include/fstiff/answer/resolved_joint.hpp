@@ -48,7 +48,7 @@ struct ResolvedJoint {
     double given_length = 0;  ///< [m], for InteractionLength::given
     LawOptions law_options;
     std::shared_ptr<const QuickHybrid> similar;  ///< of surfaces for a band
-    std::optional<Waves> ultrasound;
+    std::optional<UltrasonicWaves> ultrasound;
     Conduction conduction;
     std::optional<Friction> friction;
     /// What was written of it by itself, and did not come with a name: such quantities are usual ones.
@@ -91,7 +91,7 @@ namespace fstiff { inline namespace v0_1 {
 
 /// A given length is written as such.
 template <>
-inline constexpr auto names<detail::InteractionLength> = detail::name_list<detail::InteractionLength>(
+inline constexpr auto enum_names<detail::InteractionLength> = detail::name_list<detail::InteractionLength>(
     {{detail::InteractionLength::nominal, "nominal"}, {detail::InteractionLength::peak_spacing, "peak_spacing"}});
 
 }}  // namespace fstiff

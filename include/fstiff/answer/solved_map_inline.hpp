@@ -12,7 +12,7 @@
 #include <fstiff/answer/lacks.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/rising_curve.hpp>
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/white_noise.hpp>
 
@@ -159,15 +159,15 @@ FSTIFF_INLINE std::vector<double> changes(const ResolvedJoint& problem, const He
         pressures.push_back(solved.states[places.back()].pressure.value);
     }
     const HeightMap<double> grid = detail::map_for_truth(map, problem.law_options.points);
-    const TruthOptions<double> settings{.points = problem.law_options.points,
-                                        .edges = problem.law_options.edges,
-                                        .hardness = hardness,
-                                        .grid_error = false,
-                                        .loading = false,
-                                        .progress = parallel ? ProgressHook() : progress};
-    std::vector<TruthPoint<double>> truths(pressures.size());
+    const HalfSpaceOptions<double> settings{.points = problem.law_options.points,
+                                            .edges = problem.law_options.edges,
+                                            .hardness = hardness,
+                                            .grid_error = false,
+                                            .loading = false,
+                                            .progress = parallel ? ProgressHook() : progress};
+    std::vector<HalfSpacePoint<double>> truths(pressures.size());
     detail::run_pieces(parallel, truths.size(), [&](std::size_t k) {
-        truths[k] = truth(grid, problem.effective_modulus, std::array{pressures[k]}, settings).front();
+        truths[k] = solve_half_space(grid, problem.effective_modulus, std::array{pressures[k]}, settings).front();
     });
     std::vector<double> out(count);
     for (std::size_t k = 0; k < places.size(); ++k) {

@@ -132,8 +132,8 @@ enum class HardnessLaw {
 };
 
 template <>
-inline constexpr auto names<HardnessLaw> = detail::name_list<HardnessLaw>({{HardnessLaw::cosine, "cosine"},
-                                                                           {HardnessLaw::exponent, "2005"}});
+inline constexpr auto enum_names<HardnessLaw> = detail::name_list<HardnessLaw>({{HardnessLaw::cosine, "cosine"},
+                                                                                {HardnessLaw::exponent, "2005"}});
 
 /// One asperity by Jackson and Green: elastic, then elastic-plastic, with a hardness that falls as the contact grows.
 ///

@@ -6,19 +6,19 @@
 ///     const fstiff::BoundaryElementContact contact(map, 112e9, {.points = 256});
 ///     const auto curve = fstiff::curve_at_pressures(contact, std::vector{1e6, 3e6, 1e7});
 ///
-/// Each state is one solution on two grids (halfspace/truth.hpp); no table and no fit is made from it.
+/// Each state is one solution on two grids (halfspace/solve_half_space.hpp); no table and no fit is made from it.
 ///
-/// Reference   halfspace/truth.hpp
+/// Reference   halfspace/solve_half_space.hpp
 /// Units       SI
-/// Valid       as truth(): a map without missing points whose form is removed, at least 16 points a side;
+/// Valid       as solve_half_space(): a map without missing points whose form is removed, at least 16 points a side;
 ///             separations greater than 0, with a hardness than the lowest point, and less than the highest one
-/// Accuracy    that of truth(), bit for bit; at a separation the pressure to 1e-7
+/// Accuracy    that of solve_half_space(), bit for bit; at a separation the pressure to 1e-7
 ///             (tests/contact/boundary_element_contact_test.cpp)
 
 #include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
 #include <fstiff/core/text.hpp>
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 #include <fstiff/math/root.hpp>
 #include <fstiff/topography/height_map.hpp>
 
@@ -36,9 +36,9 @@ template <Real T = double>
 class BoundaryElementContact {
 public:
     /// Presses the surface \p map against a smooth flat; options.progress is called while a state is computed.
-    /// \throws domain_error as truth().
+    /// \throws domain_error as solve_half_space().
     BoundaryElementContact(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                           const TruthOptions<T>& options = {})
+                           const HalfSpaceOptions<T>& options = {})
         : modulus_(effective_modulus), rms_height_(fstiff::rms_height(map)), area_(map.area()), options_(options) {
         map.require_whole("before boundary elements");
         detail::require_positive("effective_modulus", effective_modulus);
@@ -53,9 +53,9 @@ public:
         if (options_.hardness > T(0) && !(pressure < options_.hardness))
             return ContactPoint<T>::out_of_reach("pressure = " + detail::shortest_text(pressure) +
                                                  ": must be less than the hardness (Pa)");
-        TruthOptions<T> options = options_;
+        HalfSpaceOptions<T> options = options_;
         options.loading = detail::has(quantities, Quantity::loading_stiffness);
-        const TruthPoint<T> solved = truth(map_, modulus_, std::array{pressure}, options).front();
+        const HalfSpacePoint<T> solved = solve_half_space(map_, modulus_, std::array{pressure}, options).front();
         if (std::isinf(solved.state.stiffness))
             return ContactPoint<T>::out_of_reach("all points of the map are in contact");
         if (std::isinf(solved.stiffness_error))
@@ -71,13 +71,13 @@ public:
             return ContactPoint<T>::out_of_reach("separation = " + detail::shortest_text(separation) +
                                                  ": must be greater than " + detail::shortest_text(lowest) +
                                                  " and less than the highest point (m)");
-        TruthOptions<T> one_grid = options_;
+        HalfSpaceOptions<T> one_grid = options_;
         one_grid.grid_error = one_grid.loading = false;
         one_grid.progress = {};
         const auto excess = [&](T log_pressure) {  // of the gap, and its slope over log p
             const T pressure = std::exp(log_pressure);
             const auto [state, stiffness_error, gap_error] =
-                truth(map_, modulus_, std::array{pressure}, one_grid).front();
+                solve_half_space(map_, modulus_, std::array{pressure}, one_grid).front();
             return std::pair(state.mean_gap - separation, -pressure / state.stiffness);
         };
         const T most = options_.hardness > T(0) ? std::log(options_.hardness) - T(1e-6) : std::log(T(1e3) * modulus_);
@@ -99,7 +99,7 @@ public:
     [[nodiscard]] T rms_height() const { return rms_height_; }  ///< of the map before it is made coarser [m]
 
 private:
-    [[nodiscard]] ContactState<T> state_of(const TruthPoint<T>& solved) const {
+    [[nodiscard]] ContactState<T> state_of(const HalfSpacePoint<T>& solved) const {
         const BoundaryElementState<T>& elements = solved.state;
         ContactState<T> state;
         state.pressure = {elements.pressure, 0, 0};
@@ -113,7 +113,7 @@ private:
     }
 
     T modulus_, rms_height_, area_;
-    TruthOptions<T> options_;
+    HalfSpaceOptions<T> options_;
     HeightMap<T> map_;
 };
 

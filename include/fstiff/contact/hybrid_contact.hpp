@@ -7,8 +7,8 @@
 ///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact
 ///     real area and number of contacts            of the peaks, at the same pressure
 ///
-/// K_crowded is Persson's, at the local scale of a bearing curve (contact/bearing_contact.hpp). The peaks are taken
-/// without interaction. d is integrated in ln p over panels, each once; a pressure then costs the rest of one.
+/// K_crowded is Persson's, at the local scale of a bearing curve (contact/material_ratio_contact.hpp). The peaks are
+/// taken without interaction. d is integrated in ln p over panels, each once; a pressure then costs the rest of one.
 ///
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski et al. (2014), eq. (4.9); docs/validation.md
 /// Units       SI
@@ -16,9 +16,9 @@
 /// Accuracy    K that of its parts, separation 1e-11 of the rms height, 1e-5 where K has kinks
 ///             (tests/contact/hybrid_contact_test.cpp). Against boundary elements: docs/validation.md
 
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
+#include <fstiff/contact/material_ratio_contact.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
@@ -50,7 +50,7 @@ template <Real T, Contact<T> Peaks, class Join = detail::FifthPowers<T>>
 class HybridContact : public detail::SlopeContact<HybridContact<T, Peaks, Join>, T> {
 public:
     /// \throws domain_error when \p peaks has an interaction, or does not reach 2 E g.
-    HybridContact(Peaks peaks, BearingContact<T> crowded, Join join = {})
+    HybridContact(Peaks peaks, MaterialRatioContact<T> crowded, Join join = {})
         : peaks_(std::move(peaks)), crowded_(std::move(crowded)), join_(std::move(join)) {
         if (peaks_.interaction().reading != InteractionReading::none)
             throw domain_error("interaction of the peaks in a hybrid contact: must be none, Persson's theory has it");
@@ -58,7 +58,7 @@ public:
     /// Contact of a Gaussian surface, without a bearing curve.
     template <std::default_initializable J = Join>
     HybridContact(Peaks peaks, PerssonContact<T> crowded)
-        : HybridContact(std::move(peaks), BearingContact<T>(std::move(crowded)), J{}) {}
+        : HybridContact(std::move(peaks), MaterialRatioContact<T>(std::move(crowded)), J{}) {}
 
     /// K [Pa/m] under \p pressure [Pa]. \throws domain_error as stiffness() of either law.
     [[nodiscard]] T stiffness(T pressure) const {
@@ -120,7 +120,7 @@ public:
     [[nodiscard]] T rms_height() const { return crowded_.rms_height(); }
     [[nodiscard]] bool has_kinks() const { return detail::has_kinks(peaks_) || crowded_.has_kinks(); }
     [[nodiscard]] const Peaks& peaks() const { return peaks_; }
-    [[nodiscard]] const BearingContact<T>& crowded() const { return crowded_; }
+    [[nodiscard]] const MaterialRatioContact<T>& crowded() const { return crowded_; }
 
 private:
     static constexpr int e_folds = 24;  ///< of pressure below 2 E g: 4e-11 of it
@@ -145,7 +145,7 @@ private:
     }
 
     Peaks peaks_;
-    BearingContact<T> crowded_;
+    MaterialRatioContact<T> crowded_;
     Join join_;
     detail::Panels<T> panels_{static_cast<std::size_t>(T(e_folds) / width_of_panel())};
 };

@@ -16,15 +16,15 @@
 ///             (tests/contact/hybrid_of_band_test.cpp). Broader bands and bearing curves: docs/validation.md
 
 #include <fstiff/asperity/laws.hpp>
-#include <fstiff/contact/bearing_contact.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
+#include <fstiff/contact/material_ratio_contact.hpp>
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/moments.hpp>
 #include <fstiff/surface/spectrum.hpp>
 
@@ -125,12 +125,13 @@ inline constexpr T highest_score = T(4);
 /// those of the surface. \throws domain_error as above.
 template <Real T>
 [[nodiscard]] ScaledContact<T, HybridContact<T, detail::BandHills<T>>> hybrid_of_band(
-    const BandSpectrum<T>& band, const BearingSlope<T>& curve, std::type_identity_t<T> effective_modulus,
+    const BandSpectrum<T>& band, const MaterialRatioSlope<T>& curve, std::type_identity_t<T> effective_modulus,
     std::type_identity_t<T> gamma = T(0.45)) {
     HybridContact<T, detail::BandHills<T>> gaussian = hybrid_of_band(band, effective_modulus, gamma);
     const T sigma = band.rms_height();
-    const BearingSlope<T> heights = curve.between(-detail::highest_score<T>, detail::highest_score<T>).scaled(sigma);
-    BearingContact<T> crowded(gaussian.crowded().gaussian(), heights, sigma);
+    const MaterialRatioSlope<T> heights =
+        curve.between(-detail::highest_score<T>, detail::highest_score<T>).scaled(sigma);
+    MaterialRatioContact<T> crowded(gaussian.crowded().gaussian(), heights, sigma);
     return {std::move(gaussian), std::move(crowded)};
 }
 
@@ -139,7 +140,7 @@ namespace detail {
 /// \p known, of hybrid_of_band with a bearing curve, with another curve.
 template <Real T>
 [[nodiscard]] ScaledContact<T, HybridContact<T, BandHills<T>>> with_bearing(
-    const ScaledContact<T, HybridContact<T, BandHills<T>>>& known, const BearingSlope<T>& curve) {
+    const ScaledContact<T, HybridContact<T, BandHills<T>>>& known, const MaterialRatioSlope<T>& curve) {
     constexpr T end = detail::highest_score<T>;
     return {known.gaussian(),
             known.bearing().with_curve(curve.between(-end, end).scaled(known.bearing().rms_height()))};

@@ -28,7 +28,7 @@ enum class InteractionReading {
     as_printed  ///< stiffness, area and contacts at eta_new against the pressure at eta_old, as the paper plots them
 };
 template <>
-inline constexpr auto names<InteractionReading> = detail::name_list<InteractionReading>({
+inline constexpr auto enum_names<InteractionReading> = detail::name_list<InteractionReading>({
     {InteractionReading::none, "none"},
     {InteractionReading::effective_separation, "effective_separation"},
     {InteractionReading::as_printed, "as_printed"},

@@ -21,8 +21,8 @@
 #include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 #include <fstiff/topography/coarser_map.hpp>
 #include <fstiff/topography/height_map.hpp>
@@ -132,7 +132,7 @@ public:
     MapCut(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus, Edges edges)
         : gaussian_(gaussian_cut(map, effective_modulus, edges)),
           knots_(std::make_shared<const CutKnots<T>>(coarsened(map, 256), effective_modulus, edges)),
-          curve_(std::make_shared<const BearingSlope<T>>(BearingSlope<T>::of_heights(
+          curve_(std::make_shared<const MaterialRatioSlope<T>>(MaterialRatioSlope<T>::of_heights(
               std::span<const T>(map.heights.data(), static_cast<std::size_t>(map.heights.size()))))),
           mean_(mean_height(map)) {}
 
@@ -152,7 +152,7 @@ public:
 private:
     GaussianCut<T> gaussian_;
     std::shared_ptr<const CutKnots<T>> knots_;
-    std::shared_ptr<const BearingSlope<T>> curve_;
+    std::shared_ptr<const MaterialRatioSlope<T>> curve_;
     T mean_, factor_ = 1;  ///< mean height [m]; heights over those of the map
 };
 

@@ -55,7 +55,7 @@ enum class CurvatureScale {
 };
 
 template <>
-inline constexpr auto names<CurvatureScale> = detail::name_list<CurvatureScale>(
+inline constexpr auto enum_names<CurvatureScale> = detail::name_list<CurvatureScale>(
     {{CurvatureScale::bush_gibson_thomas, "bush_gibson_thomas"}, {CurvatureScale::consistent, "consistent"}});
 
 /// Options of a RoughContact.

@@ -17,7 +17,7 @@
 
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include <atomic>
 #include <functional>
@@ -49,7 +49,7 @@ public:
     static constexpr T accuracy = T(1.2e-3);  ///< relative, of K
 
     /// \p curve: of heights over their rms, null of Gaussian ones; it must outlive the table.
-    explicit SimilarHybrids(const BearingSlope<T>* curve, T gamma = T(0.45)) : curve_(curve), gamma_(gamma) {}
+    explicit SimilarHybrids(const MaterialRatioSlope<T>* curve, T gamma = T(0.45)) : curve_(curve), gamma_(gamma) {}
 
     /// K [Pa/m] of the surface with these moments under \p pressure [Pa]; none beyond the table.
     [[nodiscard]] std::optional<T> stiffness(const SpectralMoments<T>& moments, T hurst, T effective_modulus,
@@ -124,7 +124,7 @@ private:
         return node.log_value[place] = value;
     }
 
-    const BearingSlope<T>* curve_;
+    const MaterialRatioSlope<T>* curve_;
     T gamma_;
     mutable std::mutex guard_;                           ///< of nodes_
     mutable std::map<std::pair<int, int>, Node> nodes_;  ///< by alpha and H

@@ -5,12 +5,12 @@
 ///
 ///     enum class Divisor { pairs, paper };
 ///     template <>
-///     inline constexpr auto names<Divisor> =
+///     inline constexpr auto enum_names<Divisor> =
 ///         name_list<Divisor>({{Divisor::pairs, "pairs"}, {Divisor::paper, "paper"}});
 ///
 ///     name_of(Divisor::paper)                     "paper"
-///     parse<Divisor>("paper", "divisor")          Divisor::paper
-///     parse<Divisor>("many", "divisor")           throws "divisor = "many": must be one of pairs, paper"
+///     from_name<Divisor>("paper", "divisor")          Divisor::paper
+///     from_name<Divisor>("many", "divisor")           throws "divisor = "many": must be one of pairs, paper"
 ///
 /// The list follows its enum, in namespace fstiff; --help, the refusals and the files of fstiff read it.
 ///
@@ -37,11 +37,12 @@ struct Named {
 /// The words of \p Enum in the order in which choices are listed. Empty for an enum that has no words; every other one
 /// specialises it with a name_list.
 template <class Enum>
-inline constexpr std::array<detail::Named<Enum>, 0> names{};
+inline constexpr std::array<detail::Named<Enum>, 0> enum_names{};
 
 namespace detail {
 
-/// The list of a specialisation of `names`. Does not compile when a value or a word is there twice, or a word is empty.
+/// The list of a specialisation of `enum_names`. Does not compile when a value or a word is there twice, or a word is
+/// empty.
 template <class Enum, std::size_t count>
 [[nodiscard]] consteval std::array<Named<Enum>, count> name_list(const Named<Enum> (&list)[count]) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -55,14 +56,14 @@ template <class Enum, std::size_t count>
 
 /// An enum that has words.
 template <class Enum>
-concept NamedEnum = std::is_enum_v<Enum> && !names<Enum>.empty();
+concept NamedEnum = std::is_enum_v<Enum> && !enum_names<Enum>.empty();
 
 }  // namespace detail
 
 /// The word of \p value; empty for a value that has none.
 template <detail::NamedEnum Enum>
 [[nodiscard]] constexpr std::string_view name_of(Enum value) noexcept {
-    for (const auto& known : names<Enum>)
+    for (const auto& known : enum_names<Enum>)
         if (known.value == value) return known.name;
     return {};
 }
@@ -72,7 +73,7 @@ namespace detail {
 /// The value whose word is \p name, case-sensitive; none when there is no such word.
 template <NamedEnum Enum>
 [[nodiscard]] constexpr std::optional<Enum> find_named(std::string_view name) noexcept {
-    for (const auto& known : names<Enum>)
+    for (const auto& known : enum_names<Enum>)
         if (known.name == name) return known.value;
     return std::nullopt;
 }
@@ -93,8 +94,8 @@ template <NamedEnum Enum>
 /// The words alone.
 template <NamedEnum Enum>
 [[nodiscard]] constexpr auto choices() noexcept {
-    std::array<std::string_view, names<Enum>.size()> words;
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] = names<Enum>[i].name;
+    std::array<std::string_view, enum_names<Enum>.size()> words;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = enum_names<Enum>[i].name;
     return words;
 }
 
@@ -102,7 +103,7 @@ template <NamedEnum Enum>
 template <NamedEnum Enum>
 [[nodiscard]] std::string choices_text() {
     std::string text;
-    for (const auto& known : names<Enum>) text += (text.empty() ? "" : ", ") + std::string(known.name);
+    for (const auto& known : enum_names<Enum>) text += (text.empty() ? "" : ", ") + std::string(known.name);
     return text;
 }
 
@@ -110,7 +111,7 @@ template <NamedEnum Enum>
 
 /// The value whose word is \p text. \throws domain_error with \p parameter, \p text and the words that are allowed.
 template <detail::NamedEnum Enum>
-[[nodiscard]] Enum parse(std::string_view text, std::string_view parameter) {
+[[nodiscard]] Enum from_name(std::string_view text, std::string_view parameter) {
     if (const auto match = detail::find_named<Enum>(text)) return *match;
     detail::refuse(parameter, "\"" + std::string(text) + "\"", "one of " + detail::choices_text<Enum>());
 }

@@ -6,6 +6,8 @@
 ///     static detail::SharedValues<double, Table> tables;
 ///     const auto table = tables.at(gamma, [&] { return std::make_shared<const Table>(gamma); });
 
+#include <fstiff/core/config.hpp>
+
 #include <cstddef>
 #include <map>
 #include <memory>

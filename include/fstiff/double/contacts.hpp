@@ -14,7 +14,7 @@
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/identify/identify.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
 
@@ -26,10 +26,10 @@ FSTIFF_DOUBLE class ContactLaw<double>;
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const RoughContact<double, HertzLaw<double>>&,
                                                               const LawRange<double>&);
 
-FSTIFF_DOUBLE HybridContact<double, SummitContact<double>, HandOver<double>> hybrid_of_map(const HeightMap<double>&,
-                                                                                           double, Edges);
+FSTIFF_DOUBLE HybridContact<double, SummitContact<double>, Crossover<double>> hybrid_of_map(const HeightMap<double>&,
+                                                                                            double, Edges);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(
-    const HybridContact<double, SummitContact<double>, HandOver<double>>&, const LawRange<double>&);
+    const HybridContact<double, SummitContact<double>, Crossover<double>>&, const LawRange<double>&);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(const HybridContact<double, detail::BandHills<double>>&,
                                                               const LawRange<double>&);
 FSTIFF_DOUBLE ContactLaw<double> ContactLaw<double>::tabulate(

@@ -6,7 +6,7 @@
 
 #include <fstiff/asperity/laws.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
-#include <fstiff/contact/hand_over.hpp>
+#include <fstiff/contact/crossover.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
 #include <fstiff/contact/mutual_summits.hpp>
@@ -17,7 +17,7 @@
 #include <fstiff/double/surfaces.hpp>
 #include <fstiff/identify/identify.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/tabulated/law_tabulator.hpp>
 #include <fstiff/topography/gaussian_order.hpp>
 
@@ -33,15 +33,16 @@ FSTIFF_DOUBLE class detail::PointForces<double, detail::FineSplit>;
 FSTIFF_DOUBLE class detail::PointForces<double, detail::QuickSplit>;
 FSTIFF_DOUBLE class detail::MutualSummits<double>;
 FSTIFF_DOUBLE class SummitContact<double>;
-FSTIFF_DOUBLE class HybridContact<double, SummitContact<double>, HandOver<double>>;
+FSTIFF_DOUBLE class HybridContact<double, SummitContact<double>, Crossover<double>>;
 FSTIFF_DOUBLE detail::GaussianOrder<double> detail::gaussian_order(const HeightMap<double>&);
-FSTIFF_DOUBLE HandOver<double> detail::hand_over_of(const Summits<double>&, const BearingContact<double>&, Edges);
+FSTIFF_DOUBLE Crossover<double> detail::hand_over_of(const Summits<double>&, const MaterialRatioContact<double>&,
+                                                     Edges);
 FSTIFF_DOUBLE class HybridContact<double, detail::BandHills<double>>;
 FSTIFF_DOUBLE HybridContact<double, detail::BandHills<double>> hybrid_of_band(const BandSpectrum<double>&, double,
                                                                               double);
 FSTIFF_DOUBLE class ScaledContact<double, HybridContact<double, detail::BandHills<double>>>;
 FSTIFF_DOUBLE ScaledContact<double, HybridContact<double, detail::BandHills<double>>> hybrid_of_band(
-    const BandSpectrum<double>&, const BearingSlope<double>&, double, double);
+    const BandSpectrum<double>&, const MaterialRatioSlope<double>&, double, double);
 
 FSTIFF_DOUBLE class detail::KinkedTables<double>;
 FSTIFF_DOUBLE class detail::KinkedTabulator<double>;

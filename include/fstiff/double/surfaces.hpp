@@ -5,7 +5,7 @@
 /// are quick to compile and need no optimisation.
 
 #include <fstiff/double/alignment.hpp>
-#include <fstiff/halfspace/truth.hpp>
+#include <fstiff/halfspace/solve_half_space.hpp>
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/measure.hpp>
 #include <fstiff/measure/parameters.hpp>
@@ -85,8 +85,9 @@ FSTIFF_DOUBLE Surface<double> measure(const Profile<double>&, const MeasureOptio
 FSTIFF_DOUBLE Surface<double> measure(const HeightMap<double>&, const MeasureOptions<double>&);
 FSTIFF_DOUBLE Surface<double> measure(HeightMap<double>&&, const MeasureOptions<double>&);
 FSTIFF_DOUBLE class BoundaryElements<double>;
-FSTIFF_DOUBLE std::vector<TruthPoint<double>> truth(const HeightMap<double>&, double, const std::vector<double>&,
-                                                    const TruthOptions<double>&);
+FSTIFF_DOUBLE std::vector<HalfSpacePoint<double>> solve_half_space(const HeightMap<double>&, double,
+                                                                   const std::vector<double>&,
+                                                                   const HalfSpaceOptions<double>&);
 
 FSTIFF_DOUBLE Profile<double> self_affine_profile(const SelfAffineOptions<double>&, std::size_t, double);
 FSTIFF_DOUBLE HeightMap<double> self_affine_map(const SelfAffineOptions<double>&, std::size_t, std::size_t, double,
@@ -106,6 +107,6 @@ FSTIFF_DOUBLE class math::GaussianSmoother<double>;
 FSTIFF_DOUBLE void detail::validate_map(const double*, Eigen::Index, Eigen::Index, double, double, Eigen::Index);
 FSTIFF_DOUBLE Profile<double> detail::detrend(const Profile<double>&, Form);
 FSTIFF_DOUBLE class detail::LineFitter<double>;
-FSTIFF_DOUBLE class BearingSlope<double>;
+FSTIFF_DOUBLE class MaterialRatioSlope<double>;
 
 }}  // namespace fstiff

@@ -13,7 +13,7 @@
 ///             Larsson, Glavatskih, Tribol. Int. 40 (2007) 574, by Dai, Fletcher, Math. Program. 106 (2006) 403.
 /// Units       heights, lengths, gaps [m]; pressures [Pa]; K [Pa/m]
 /// Valid       maps without missing points; nominal pressures below H; gradients small enough for a half space
-/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default; of the surface: halfspace/truth.hpp; of
+/// Accuracy    of the equations on the grid: tolerance, 1e-8 by default; of the surface: solve_half_space.hpp; of
 ///             K_loading of few points 8 %. Westergaard, another code: tests/halfspace/boundary_elements_test.cpp
 
 #include <fstiff/core/error.hpp>

@@ -36,7 +36,7 @@ enum class FitConcern {
 };
 
 template <>
-inline constexpr auto names<FitConcern> = detail::name_list<FitConcern>({
+inline constexpr auto enum_names<FitConcern> = detail::name_list<FitConcern>({
     {FitConcern::singular, "singular"},
     {FitConcern::not_converged, "not_converged"},
     {FitConcern::misfit, "misfit"},

@@ -37,7 +37,7 @@ public:
     /// The objects of the arguments must live as long.
     DifferenceModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& parameters,
                     const ContactParameters<T>& start, const CurveOfParameters<T>& curve,
-                    const std::optional<Wave<T>>& wave)
+                    const std::optional<ObservedWave<T>>& wave)
         : Problem(data, parameters, start, wave), curve_(curve) {}
 
     /// (model - value)/error and its slopes by the fitted variables. \return whether \p u is within reach

@@ -65,7 +65,7 @@ struct Observation {
 
 /// Measurement of a reflection; none: the observations are stiffnesses.
 template <Real T = double>
-struct Wave {
+struct ObservedWave {
     Impedances<T> media{};
     T angular_frequency{};
     T stiffness_ratio = T(1);  ///< of the stiffness that the wave sees to K: 1, or Mindlin's for shear waves
@@ -125,7 +125,7 @@ public:
 
     /// The objects of the arguments must live as long.
     CurveProblem(const std::vector<Observation<T>>& data, const std::vector<Parameter>& parameters,
-                 const ContactParameters<T>& start, const std::optional<Wave<T>>& wave)
+                 const ContactParameters<T>& start, const std::optional<ObservedWave<T>>& wave)
         : data_(data),
           parameters_(parameters),
           start_(start),
@@ -186,7 +186,7 @@ private:
     const std::vector<Observation<T>>& data_;
     const std::vector<Parameter>& parameters_;
     const ContactParameters<T>& start_;
-    const std::optional<Wave<T>>& wave_;
+    const std::optional<ObservedWave<T>>& wave_;
     bool errors_known_;
     std::vector<T> values_;
 };
@@ -199,7 +199,7 @@ public:
 
     /// The objects of the arguments must live as long.
     CurveModel(const std::vector<Observation<T>>& data, const std::vector<Parameter>& parameters,
-               const ContactParameters<T>& start, const MakeLaw& law, const std::optional<Wave<T>>& wave,
+               const ContactParameters<T>& start, const MakeLaw& law, const std::optional<ObservedWave<T>>& wave,
                const RoughContactOptions<T>& contact)
         : CurveProblem<T>(data, parameters, start, wave), law_(law), contact_(contact) {
         using Law = decltype(law(start.fractal_dimension));

@@ -28,7 +28,7 @@ namespace fstiff { inline namespace v0_1 {
 /// Observations and options of a fit.
 template <Real T = double>
 struct IdentifyOptions {
-    std::optional<Wave<T>> wave{};
+    std::optional<ObservedWave<T>> wave{};
     RoughContactOptions<T> contact{};  ///< of the contact that is fitted: interaction, sigma_kappa of R
     math::LeastSquaresOptions<T> search{};
 };

@@ -64,7 +64,7 @@ enum class X3pIncrement { apply, ignore };
 namespace fstiff { inline namespace v0_1 {
 
 template <>
-inline constexpr auto names<io::SurfaceFormat> = fstiff::detail::name_list<io::SurfaceFormat>({
+inline constexpr auto enum_names<io::SurfaceFormat> = fstiff::detail::name_list<io::SurfaceFormat>({
     {io::SurfaceFormat::automatic, "auto"},  {io::SurfaceFormat::profile, "profile"},
     {io::SurfaceFormat::triples, "triples"}, {io::SurfaceFormat::matrix, "matrix"},
     {io::SurfaceFormat::sdf, "sdf"},         {io::SurfaceFormat::x3p, "x3p"},
@@ -77,7 +77,7 @@ inline constexpr auto names<io::SurfaceFormat> = fstiff::detail::name_list<io::S
     {io::SurfaceFormat::netcdf, "netcdf"},   {io::SurfaceFormat::opdx, "opdx"},
 });
 template <>
-inline constexpr auto names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
+inline constexpr auto enum_names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
     {{io::X3pIncrement::apply, "apply"}, {io::X3pIncrement::ignore, "ignore"}});
 
 }}  // namespace fstiff

@@ -45,7 +45,7 @@ namespace fstiff { inline namespace v0_1 {
 
 /// Name of a kind in messages.
 template <>
-inline constexpr auto names<io::Dimension> = fstiff::detail::name_list<io::Dimension>({
+inline constexpr auto enum_names<io::Dimension> = fstiff::detail::name_list<io::Dimension>({
     {io::Dimension::length, "length"},
     {io::Dimension::area, "area"},
     {io::Dimension::inverse_area, "number per area"},

@@ -32,7 +32,7 @@ enum class MapForm { automatic, triples, matrix };
 namespace fstiff { inline namespace v0_1 {
 
 template <>
-inline constexpr auto names<io::MapForm> = fstiff::detail::name_list<io::MapForm>(
+inline constexpr auto enum_names<io::MapForm> = fstiff::detail::name_list<io::MapForm>(
     {{io::MapForm::automatic, "automatic"}, {io::MapForm::triples, "triples"}, {io::MapForm::matrix, "matrix"}});
 
 }}  // namespace fstiff

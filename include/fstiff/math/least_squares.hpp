@@ -46,7 +46,7 @@ enum class FitStatus {
 }  // namespace math
 
 template <>
-inline constexpr auto names<math::FitStatus> = detail::name_list<math::FitStatus>({
+inline constexpr auto enum_names<math::FitStatus> = detail::name_list<math::FitStatus>({
     {math::FitStatus::converged, "converged"},
     {math::FitStatus::singular, "singular"},
     {math::FitStatus::not_converged, "not_converged"},

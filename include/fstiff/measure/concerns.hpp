@@ -60,7 +60,7 @@ enum class MeasuredConcern {
 };
 
 template <>
-inline constexpr auto names<MeasuredConcern> = detail::name_list<MeasuredConcern>({
+inline constexpr auto enum_names<MeasuredConcern> = detail::name_list<MeasuredConcern>({
     {MeasuredConcern::curved, "curved"},
     {MeasuredConcern::saturated, "saturated"},
     {MeasuredConcern::roughness_uncertain, "roughness_uncertain"},

@@ -53,8 +53,8 @@ private:
 /// Filter of lambda_c: grooves and spikes shift the mean line (surface) of `gaussian` but not that of `robust`.
 enum class CutOffFilter { gaussian, robust };
 template <>
-inline constexpr auto names<CutOffFilter> = detail::name_list<CutOffFilter>({{CutOffFilter::gaussian, "gaussian"},
-                                                                             {CutOffFilter::robust, "robust"}});
+inline constexpr auto enum_names<CutOffFilter> = detail::name_list<CutOffFilter>({{CutOffFilter::gaussian, "gaussian"},
+                                                                                  {CutOffFilter::robust, "robust"}});
 
 /// A part of a surface, relative to its first point [m]; y is ignored for a profile.
 template <Real T = double>

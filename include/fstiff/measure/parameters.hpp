@@ -39,8 +39,8 @@ enum class PeakSource {
 };
 
 template <>
-inline constexpr auto names<PeakSource> = detail::name_list<PeakSource>({{PeakSource::islands, "islands"},
-                                                                         {PeakSource::summits, "summits"}});
+inline constexpr auto enum_names<PeakSource> = detail::name_list<PeakSource>({{PeakSource::islands, "islands"},
+                                                                              {PeakSource::summits, "summits"}});
 
 namespace detail {
 

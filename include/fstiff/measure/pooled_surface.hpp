@@ -41,7 +41,7 @@ enum class Unlikeness { none, kind, lambda_s, lambda_c, step };
 }  // namespace detail
 
 template <>
-inline constexpr auto names<detail::Unlikeness> =
+inline constexpr auto enum_names<detail::Unlikeness> =
     detail::name_list<detail::Unlikeness>({{detail::Unlikeness::none, "nothing"},
                                            {detail::Unlikeness::kind, "kind"},
                                            {detail::Unlikeness::lambda_s, "lambda_s"},

@@ -23,8 +23,8 @@ namespace fstiff { inline namespace v0_1 {
 enum class Heights { gaussian, exponential };
 
 template <>
-inline constexpr auto names<Heights> = detail::name_list<Heights>({{Heights::gaussian, "gaussian"},
-                                                                   {Heights::exponential, "exponential"}});
+inline constexpr auto enum_names<Heights> = detail::name_list<Heights>({{Heights::gaussian, "gaussian"},
+                                                                        {Heights::exponential, "exponential"}});
 
 namespace detail {
 

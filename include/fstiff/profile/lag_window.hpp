@@ -37,7 +37,7 @@ enum class WindowEnd {
 
 /// Short name, to follow "begins" or "ends".
 template <>
-inline constexpr auto names<WindowEnd> = detail::name_list<WindowEnd>({
+inline constexpr auto enum_names<WindowEnd> = detail::name_list<WindowEnd>({
     {WindowEnd::given, "as given"},
     {WindowEnd::sampling, "at the first lag searched"},
     {WindowEnd::resolution, "at the resolution"},

@@ -21,11 +21,11 @@ namespace fstiff { inline namespace v0_1 {
 /// Form that is removed from a profile.
 enum class Form { none, mean, line, parabola, circle };
 template <>
-inline constexpr auto names<Form> = detail::name_list<Form>({{Form::none, "none"},
-                                                             {Form::mean, "mean"},
-                                                             {Form::line, "line"},
-                                                             {Form::parabola, "parabola"},
-                                                             {Form::circle, "circle"}});
+inline constexpr auto enum_names<Form> = detail::name_list<Form>({{Form::none, "none"},
+                                                                  {Form::mean, "mean"},
+                                                                  {Form::line, "line"},
+                                                                  {Form::parabola, "parabola"},
+                                                                  {Form::circle, "circle"}});
 
 namespace detail {
 

@@ -15,8 +15,8 @@
 /// Accuracy    areas and moments 1e-8 over knots 1/128 apart in zeta, from -8 to 8
 ///             (tests/surface/bearing_family_test.cpp)
 
-#include <fstiff/surface/bearing_slope.hpp>
 #include <fstiff/surface/material_ratio.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Curve with the upper end of the core at height u = 0. \throws domain_error naming the parameter out of range.
 template <Real T>
-[[nodiscard]] BearingSlope<T> bearing_of_core(const MaterialRatio<T>& core) {
+[[nodiscard]] MaterialRatioSlope<T> bearing_of_core(const MaterialRatio<T>& core) {
     require_positive("Sk", core.core_height);
     require(core.reduced_peak_height >= 0, "Spk", core.reduced_peak_height, "0 or more");
     require(core.reduced_valley_depth >= 0, "Svk", core.reduced_valley_depth, "0 or more");
@@ -37,7 +37,7 @@ template <Real T>
     require(first >= 0 && first < second && second <= 1, "Smr1", first, "from 0 to below Smr2, which is 1 at most");
     // slope of a tail of the share s beyond |zeta| = z with the area h s/2
     const auto tail = [](T height, T share, T z) { return height * share / 2 / (math::normal_density(z) - z * share); };
-    std::vector<typename BearingSlope<T>::Knot> knots;
+    std::vector<typename MaterialRatioSlope<T>::Knot> knots;
     const bool peaks = first > 0 && core.reduced_peak_height > 0, valleys = second < 1 && core.reduced_valley_depth > 0;
     const T upper = first > 0 ? math::normal_quantile(1 - first) : T(4),
             lower = second < 1 ? math::normal_quantile(1 - second) : T(-4);
@@ -47,7 +47,7 @@ template <Real T>
     knots.push_back({lower, -core.core_height});
     knots.push_back({upper, T(0)});
     if (peaks) knots.push_back({end, tail(core.reduced_peak_height, first, upper) * (end - upper)});
-    return BearingSlope<T>(std::move(knots));
+    return MaterialRatioSlope<T>(std::move(knots));
 }
 
 /// Mean, mean square about it, skewness and kurtosis of f over normal numbers, by the trapezoidal rule.
@@ -141,7 +141,7 @@ template <Real T>
 
 /// Mean, mean square about it, skewness and kurtosis of the heights of \p curve.
 template <Real T>
-[[nodiscard]] std::array<T, 4> normal_moments(const BearingSlope<T>& curve) {
+[[nodiscard]] std::array<T, 4> normal_moments(const MaterialRatioSlope<T>& curve) {
     return normal_moments<T>([&](T zeta) { return curve.height(zeta); });
 }
 
@@ -159,7 +159,7 @@ template <Real T>
 /// Curve of mean 0 and rms 1 with \p skewness and \p kurtosis; a straight line for 0 and 3.
 /// \throws domain_error where no surface has both, or beyond the valid range above.
 template <Real T>
-[[nodiscard]] BearingSlope<T> bearing_of_moments(T skewness, std::type_identity_t<T> kurtosis) {
+[[nodiscard]] MaterialRatioSlope<T> bearing_of_moments(T skewness, std::type_identity_t<T> kurtosis) {
     require(std::abs(skewness) <= most_skewness<T>, "skewness", skewness, "between -3 and 3");
     require(kurtosis >= least_kurtosis(skewness) && kurtosis <= most_kurtosis<T>, "kurtosis", kurtosis,
             "from skewness^2 + 1.25, and more beyond a skewness of 1.5, to 100");
@@ -167,12 +167,12 @@ template <Real T>
     const T sign = skewness < 0 ? T(-1) : T(1);
     const auto knots_of = [&](const auto& f) {
         const auto m = normal_moments<T>(f);
-        std::vector<typename BearingSlope<T>::Knot> knots;
+        std::vector<typename MaterialRatioSlope<T>::Knot> knots;
         for (int i = -1024; i <= 1024; ++i) {
             const T zeta = end * T(i) / 1024, height = sign * (f(sign * zeta) - m[0]) / std::sqrt(m[1]);
             if (knots.empty() || height > knots.back().height + T(1e-12)) knots.push_back({zeta, height});
         }
-        return BearingSlope<T>(std::move(knots));
+        return MaterialRatioSlope<T>(std::move(knots));
     };
     if (std::abs(skewness) < T(1e-9) && std::abs(kurtosis - 3) < T(1e-9)) return knots_of([](T z) { return z; });
     // the lognormal of this skewness: (q - 1)(q + 2)^2 = skewness^2, kurtosis q^4 + 2 q^3 + 3 q^2 - 3

@@ -20,7 +20,7 @@
 #include <fstiff/math/normal_distribution.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
 
 #include <algorithm>
 #include <cmath>

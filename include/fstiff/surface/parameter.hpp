@@ -110,7 +110,7 @@ consteval std::array<Named<Parameter>, parameter_table.size()> parameter_keys() 
 }  // namespace detail
 
 template <>
-inline constexpr auto names<Parameter> = detail::parameter_keys();
+inline constexpr auto enum_names<Parameter> = detail::parameter_keys();
 
 namespace detail {
 

@@ -135,15 +135,15 @@ inline constexpr std::size_t unknown_count = 7;
 namespace fstiff { inline namespace v0_1 {
 
 template <>
-inline constexpr auto names<Process> = detail::name_list<Process>({{Process::unknown, "unknown"},
-                                                                   {Process::ground, "ground"},
-                                                                   {Process::turned, "turned"},
-                                                                   {Process::milled, "milled"},
-                                                                   {Process::honed, "honed"},
-                                                                   {Process::lapped, "lapped"},
-                                                                   {Process::polished, "polished"},
-                                                                   {Process::blasted, "blasted"},
-                                                                   {Process::eroded, "eroded"}});
+inline constexpr auto enum_names<Process> = detail::name_list<Process>({{Process::unknown, "unknown"},
+                                                                        {Process::ground, "ground"},
+                                                                        {Process::turned, "turned"},
+                                                                        {Process::milled, "milled"},
+                                                                        {Process::honed, "honed"},
+                                                                        {Process::lapped, "lapped"},
+                                                                        {Process::polished, "polished"},
+                                                                        {Process::blasted, "blasted"},
+                                                                        {Process::eroded, "eroded"}});
 
 }}  // namespace fstiff
 
@@ -186,7 +186,7 @@ inline constexpr std::array<ProcessWords, 9> process_words{{
 
 /// The process of \p word, its name or another word for it; none of a word that is in neither list.
 [[nodiscard]] constexpr std::optional<Process> find_process(std::string_view word) {
-    for (const auto& known : names<Process>)
+    for (const auto& known : enum_names<Process>)
         if (is_same_name(word, known.name)) return known.value;
     for (const ProcessWords& row : process_words)
         for (std::string_view rest = row.words; !rest.empty();) {

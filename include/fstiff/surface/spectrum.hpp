@@ -30,8 +30,8 @@ enum class SpectrumWindow {
     none   ///< for surfaces that repeat themselves
 };
 template <>
-inline constexpr auto names<SpectrumWindow> = detail::name_list<SpectrumWindow>({{SpectrumWindow::hann, "hann"},
-                                                                                 {SpectrumWindow::none, "none"}});
+inline constexpr auto enum_names<SpectrumWindow> = detail::name_list<SpectrumWindow>({{SpectrumWindow::hann, "hann"},
+                                                                                      {SpectrumWindow::none, "none"}});
 
 namespace detail {
 

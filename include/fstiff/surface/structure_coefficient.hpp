@@ -28,7 +28,7 @@ namespace fstiff { inline namespace v0_1 {
 enum class StructureConvention { exact, paper, majumdar_tien };
 
 template <>
-inline constexpr auto names<StructureConvention> =
+inline constexpr auto enum_names<StructureConvention> =
     detail::name_list<StructureConvention>({{StructureConvention::exact, "exact"},
                                             {StructureConvention::paper, "paper"},
                                             {StructureConvention::majumdar_tien, "majumdar_tien"}});

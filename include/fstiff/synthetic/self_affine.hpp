@@ -30,8 +30,8 @@ namespace fstiff { inline namespace v0_1 {
 enum class LongWaves { plateau, none };
 
 template <>
-inline constexpr auto names<LongWaves> = detail::name_list<LongWaves>({{LongWaves::plateau, "plateau"},
-                                                                       {LongWaves::none, "none"}});
+inline constexpr auto enum_names<LongWaves> = detail::name_list<LongWaves>({{LongWaves::plateau, "plateau"},
+                                                                            {LongWaves::none, "none"}});
 
 /// Parameters of a self-affine surface.
 template <Real T = double>

@@ -34,7 +34,7 @@ enum class LagPairs {
 }  // namespace detail
 
 template <>
-inline constexpr auto names<detail::LagPairs> = detail::name_list<detail::LagPairs>(
+inline constexpr auto enum_names<detail::LagPairs> = detail::name_list<detail::LagPairs>(
     {{detail::LagPairs::measured, "measured"}, {detail::LagPairs::periodic, "periodic"}});
 
 namespace detail {

@@ -13,7 +13,7 @@ enum class Edges {
     periodic   ///< repeated: for generated maps that repeat themselves
 };
 template <>
-inline constexpr auto names<Edges> = detail::name_list<Edges>({{Edges::mirrored, "mirrored"},
-                                                               {Edges::periodic, "periodic"}});
+inline constexpr auto enum_names<Edges> = detail::name_list<Edges>({{Edges::mirrored, "mirrored"},
+                                                                    {Edges::periodic, "periodic"}});
 
 }}  // namespace fstiff

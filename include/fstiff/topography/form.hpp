@@ -29,13 +29,13 @@ namespace fstiff { inline namespace v0_1 {
 /// Surface that is removed; of a polynomial its degree.
 enum class MapForm { none = -1, mean = 0, plane = 1, quadratic = 2, cubic = 3, sphere, cylinder };
 template <>
-inline constexpr auto names<MapForm> = detail::name_list<MapForm>({{MapForm::none, "none"},
-                                                                   {MapForm::mean, "mean"},
-                                                                   {MapForm::plane, "plane"},
-                                                                   {MapForm::quadratic, "quadratic"},
-                                                                   {MapForm::cubic, "cubic"},
-                                                                   {MapForm::sphere, "sphere"},
-                                                                   {MapForm::cylinder, "cylinder"}});
+inline constexpr auto enum_names<MapForm> = detail::name_list<MapForm>({{MapForm::none, "none"},
+                                                                        {MapForm::mean, "mean"},
+                                                                        {MapForm::plane, "plane"},
+                                                                        {MapForm::quadratic, "quadratic"},
+                                                                        {MapForm::cubic, "cubic"},
+                                                                        {MapForm::sphere, "sphere"},
+                                                                        {MapForm::cylinder, "cylinder"}});
 
 /// A map without its form, with the data of the removed form.
 template <Real T = double>

@@ -19,7 +19,7 @@
 #include <fstiff/math/gaussian_smoother.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/math/tukey.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 namespace fstiff { inline namespace v0_1 { namespace detail {

@@ -7,12 +7,12 @@
 ///
 /// Equal heights stay equal: they have their mean rank.
 ///
-/// Reference   surface/bearing_curve.hpp
+/// Reference   surface/material_ratio_curve.hpp
 /// Units       heights [m]
 /// Valid       as HeightMap::validate; missing points stay missing
 /// Accuracy    rounding (tests/topography/gaussian_order_test.cpp)
 
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/topography/gaussian_map_filter.hpp>
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
@@ -20,9 +20,9 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 /// A map as a Gaussian one and a bearing curve.
 template <Real T = double>
 struct GaussianOrder {
-    HeightMap<T> map;       ///< sigma zeta [m]
-    BearingSlope<T> curve;  ///< f [m]
-    T rms_height{};         ///< sigma, of the map itself [m]
+    HeightMap<T> map;             ///< sigma zeta [m]
+    MaterialRatioSlope<T> curve;  ///< f [m]
+    T rms_height{};               ///< sigma, of the map itself [m]
 };
 
 /// \throws domain_error as HeightMap::validate.
@@ -39,7 +39,7 @@ template <Real T>
     for (const auto& [height, index] : order) sorted.push_back(height);
     const T sigma = rms_height(map);
     HeightMap<T> gaussian = map;
-    auto curve = BearingSlope<T>::of_sorted(sorted, [&](std::size_t from, std::size_t to, T score) {
+    auto curve = MaterialRatioSlope<T>::of_sorted(sorted, [&](std::size_t from, std::size_t to, T score) {
         for (std::size_t i = from; i < to; ++i) gaussian.heights.data()[order[i].second] = sigma * score;
     });
     return {std::move(gaussian), std::move(curve), sigma};

@@ -22,15 +22,15 @@ enum class Connectivity { four, eight };
 enum class BorderIslands { kept, dropped };
 
 template <>
-inline constexpr auto names<BorderIslands> = detail::name_list<BorderIslands>({{BorderIslands::kept, "keep"},
-                                                                               {BorderIslands::dropped, "drop"}});
+inline constexpr auto enum_names<BorderIslands> = detail::name_list<BorderIslands>({{BorderIslands::kept, "keep"},
+                                                                                    {BorderIslands::dropped, "drop"}});
 
 /// Height of an island above the level: its highest point, or twice its mean; both are equal for a paraboloid.
 enum class IslandHeight { peak, twice_mean };
 
 template <>
-inline constexpr auto names<IslandHeight> = detail::name_list<IslandHeight>({{IslandHeight::peak, "peak"},
-                                                                             {IslandHeight::twice_mean, "twice-mean"}});
+inline constexpr auto enum_names<IslandHeight> =
+    detail::name_list<IslandHeight>({{IslandHeight::peak, "peak"}, {IslandHeight::twice_mean, "twice-mean"}});
 
 /// Options: islands that count, and cutting levels.
 template <Real T = double>

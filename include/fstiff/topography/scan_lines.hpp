@@ -30,15 +30,15 @@ namespace fstiff { inline namespace v0_1 {
 /// How the offsets of scan lines are found.
 enum class LineAlignment { none, median, median_of_differences };
 template <>
-inline constexpr auto names<LineAlignment> = detail::name_list<LineAlignment>({{LineAlignment::none, "none"},
-                                                                               {LineAlignment::median, "median"},
-                                                                               {LineAlignment::median_of_differences,
-                                                                                "median_of_differences"}});
+inline constexpr auto enum_names<LineAlignment> =
+    detail::name_list<LineAlignment>({{LineAlignment::none, "none"},
+                                      {LineAlignment::median, "median"},
+                                      {LineAlignment::median_of_differences, "median_of_differences"}});
 
 /// The axis along which the lines of a map were scanned; automatic: that whose lines have offsets, else x.
 enum class ScanAxis { automatic, x, y };
 template <>
-inline constexpr auto names<ScanAxis> =
+inline constexpr auto enum_names<ScanAxis> =
     detail::name_list<ScanAxis>({{ScanAxis::automatic, "auto"}, {ScanAxis::x, "x"}, {ScanAxis::y, "y"}});
 
 namespace detail {

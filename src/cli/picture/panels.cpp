@@ -43,7 +43,7 @@ struct DrawnCurve {
 };
 
 /// Boundary elements, whose error is that of their grid.
-bool is_truth(const AnswerCurve& curve) { return curve.law == LawName::boundary_elements; }
+bool is_truth(const AnswerCurve& curve) { return curve.law == LawKind::boundary_elements; }
 
 /// The answer, then the laws in the order of the scene.
 std::vector<DrawnCurve> curves_of(const Answered& answered, const std::optional<Answered>& between) {
@@ -129,7 +129,7 @@ Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<Dr
     panel.y.label = units.stiffness.heading("K/A₀");
     panel.height = 360;
     if (problem.ultrasound) {
-        const Waves& waves = *problem.ultrasound;
+        const UltrasonicWaves& waves = *problem.ultrasound;
         if (const auto range = resolvable_stiffness(waves.longitudinal, waves.angular()))
             panel.window = {"|R| " + document::rounded(range->min_reflection, 2) + " to " +
                                 document::rounded(range->max_reflection, 2) + " at " +
@@ -138,13 +138,13 @@ Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<Dr
                             std::max(range->high - waves.film_stiffness, 0.0) * units.stiffness.factor};
     }
     double least = std::numeric_limits<double>::infinity(), most = 0, last = 0;
-    LawName before = LawName::none;
+    LawKind before = LawKind::none;
     for (const DrawnCurve& curve : curves)
         for (const AnswerPoint* point : curve.points()) {
             const double p = point->pressure;
             least = std::min(least, p), most = std::max(most, p);
             if (!curve.is_answer) continue;
-            if (before != LawName::none && point->law != before)
+            if (before != LawKind::none && point->law != before)
                 panel.changes.push_back(
                     {std::sqrt(last * p) * units.pressure.factor, name_of(before), name_of(point->law)});
             before = point->law, last = p;

@@ -24,12 +24,12 @@ namespace fstiff { inline namespace v0_1 {
 
 /// Passage from the summits of a map to its crowded contact.
 template <Real T = double>
-class HandOver {
+class Crossover {
 public:
     /// Passage for \p peaks: \p log_ratio is ln ratio at p_h = exp(\p log_pressure), p_h/2, ...; \p log_crowded is
     /// ln K_crowded at p_h.
     template <class Peaks>
-    HandOver(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)
+    Crossover(T log_pressure, std::vector<T> log_ratio, T log_crowded, const Peaks& peaks)
         : log_pressure_(log_pressure), log_crowded_(log_crowded), log_ratio_(std::move(log_ratio)) {
         detail::require(!log_ratio_.empty(), "ratios of a hand-over", log_ratio_.size(), "at least 1");
         find_jump(peaks);
@@ -46,8 +46,8 @@ public:
     /// Hand-over for a surface \p factor times as high, with \p peaks and the same ratios; its crowded contact has the
     /// same K at \p factor times the pressure.
     template <class Peaks>
-    [[nodiscard]] HandOver scaled(const Peaks& peaks, T factor) const {
-        HandOver other = *this;
+    [[nodiscard]] Crossover scaled(const Peaks& peaks, T factor) const {
+        Crossover other = *this;
         other.log_pressure_ += std::log(factor);
         other.find_jump(peaks);
         return other;
@@ -82,8 +82,8 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Hand-over for a map with \p summits and the crowded contact \p crowded. \throws domain_error as SummitContact.
 template <Real T>
-[[nodiscard]] HandOver<T> hand_over_of(const Summits<T>& summits, const BearingContact<T>& crowded,
-                                       Edges edges = Edges::mirrored) {
+[[nodiscard]] Crossover<T> hand_over_of(const Summits<T>& summits, const MaterialRatioContact<T>& crowded,
+                                        Edges edges = Edges::mirrored) {
     constexpr T most_area = T(0.06), most_contacts = T(1200);
     const T modulus = crowded.effective_modulus();
     const SummitContact<T> alone(summits, modulus);
@@ -119,7 +119,7 @@ template <Real T>
             ratios.push_back(ratios.back());
         }
     }
-    return HandOver<T>(low, std::move(ratios), std::log(crowded.stiffness(std::exp(low))), alone);
+    return Crossover<T>(low, std::move(ratios), std::log(crowded.stiffness(std::exp(low))), alone);
 }
 
 }}}  // namespace fstiff::detail

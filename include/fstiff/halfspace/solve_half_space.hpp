@@ -4,7 +4,8 @@
 /// Contact of a map by boundary elements on a grid of the size asked for and on one half as fine; the difference of the
 /// two is the error of the grid.
 ///
-///     const auto points = fstiff::truth(map, 100e9, pressures, {.points = 256, .edges = fstiff::Edges::mirrored});
+///     const auto points = fstiff::solve_half_space(map, 100e9, pressures,
+///                                                  {.points = 256, .edges = fstiff::Edges::mirrored});
 ///     points[0].state.stiffness, points[0].stiffness_error       K [Pa/m] and its change from the coarser grid
 ///
 /// Reference   halfspace/boundary_elements.hpp
@@ -26,7 +27,7 @@ namespace fstiff { inline namespace v0_1 {
 
 /// Options of the truth of a map.
 template <Real T = double>
-struct TruthOptions {
+struct HalfSpaceOptions {
     Eigen::Index points = 256;  ///< along the longer side; a map that has no more is taken as it is
     Edges edges = Edges::mirrored;
     T hardness{};             ///< [Pa]; 0: elastic
@@ -37,7 +38,7 @@ struct TruthOptions {
 
 /// Result of boundary elements at one pressure.
 template <Real T = double>
-struct TruthPoint {
+struct HalfSpacePoint {
     BoundaryElementState<T> state{};
     T stiffness_error{};  ///< change from the grid half as fine [Pa/m]; infinite where all points of one grid alone
                           ///< touch; 0 where all points of both touch, and where it was not asked for
@@ -61,15 +62,17 @@ template <Real T>
 /// The contact of \p map against a smooth flat under \p pressures [Pa], in their order.
 /// \throws domain_error as BoundaryElements, and for fewer than 16 points.
 template <Real T, class Pressures>
-[[nodiscard]] std::vector<TruthPoint<T>> truth(const HeightMap<T>& map, std::type_identity_t<T> effective_modulus,
-                                               const Pressures& pressures, const TruthOptions<T>& options = {}) {
+[[nodiscard]] std::vector<HalfSpacePoint<T>> solve_half_space(const HeightMap<T>& map,
+                                                              std::type_identity_t<T> effective_modulus,
+                                                              const Pressures& pressures,
+                                                              const HalfSpaceOptions<T>& options = {}) {
     const BoundaryElementOptions<T> settings{
         .edges = options.edges, .hardness = options.hardness, .loading = options.loading};
     BoundaryElements<T> solver(detail::map_for_truth(map, options.points), effective_modulus, settings);
-    std::vector<TruthPoint<T>> points;
+    std::vector<HalfSpacePoint<T>> points;
     for (const T pressure : pressures) {
         if (options.progress) options.progress("pressures", points.size(), std::size(pressures));
-        TruthPoint<T> point{solver.at_pressure(pressure)};
+        HalfSpacePoint<T> point{solver.at_pressure(pressure)};
         if (options.grid_error) {
             const auto other = solver.on_coarser_grid();
             if (other.stiffness != point.state.stiffness)  // both are infinite where all points touch

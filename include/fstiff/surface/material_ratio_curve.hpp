@@ -30,7 +30,7 @@ namespace fstiff { inline namespace v0_1 {
 
 /// Heights by the share of the points above them.
 template <Real T = double>
-struct BearingCurve {
+struct MaterialRatioCurve {
     std::vector<T> share;   ///< of the points above the height, from 0 to 1
     std::vector<T> height;  ///< falls with the share
 
@@ -40,14 +40,14 @@ struct BearingCurve {
 /// Curve of \p heights at \p steps + 1 equal steps of the share. \throws domain_error when no height exists, or for 0
 /// steps.
 template <Real T>
-[[nodiscard]] BearingCurve<T> bearing_curve(std::span<const T> heights, std::size_t steps = 200) {
+[[nodiscard]] MaterialRatioCurve<T> bearing_curve(std::span<const T> heights, std::size_t steps = 200) {
     detail::require(steps >= 1, "steps of a bearing curve", steps, "at least 1");
     std::vector<T> sorted;
     sorted.reserve(heights.size());
     std::copy_if(heights.begin(), heights.end(), std::back_inserter(sorted), [](T z) { return !std::isnan(z); });
     detail::require(!sorted.empty(), "heights of a bearing curve", sorted.size(), "at least 1");
     math::sort_falling<T>(sorted, std::identity());
-    BearingCurve<T> curve;
+    MaterialRatioCurve<T> curve;
     for (std::size_t k = 0; k <= steps; ++k) {
         curve.share.push_back(static_cast<T>(k) / static_cast<T>(steps));
         curve.height.push_back(sorted[(std::min)(sorted.size() - 1, k * sorted.size() / steps)]);

@@ -7,8 +7,8 @@
 ///     rho = s(c, w)/sigma    c = d_g(p/rho)/sigma + 0.2 - 0.3 P    w = sqrt(1/4 + P^2)    P = erf(sqrt(2) p/(rho E g))
 ///
 /// g marks the Gaussian surface of the same order of heights, sigma its rms height, s the slope of the bearing curve
-/// about the level c (surface/bearing_curve.hpp). rho is a fixed point, found anew at each pressure in 10 us; without a
-/// bearing curve the contact is PerssonContact to the last bit. ScaledContact takes any Gaussian contact at that rho.
+/// about the level c. rho is a fixed point, found anew at each pressure in 10 us; without a bearing curve the contact
+/// is PerssonContact to the last bit. ScaledContact takes any Gaussian contact at that rho.
 ///
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; the scale and its numbers: this project, docs/validation.md
 /// Units       SI: m, Pa, Pa/m
@@ -25,8 +25,8 @@
 #include <fstiff/math/root.hpp>
 #include <fstiff/peaks/quantity.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
-#include <fstiff/surface/bearing_curve.hpp>
-#include <fstiff/surface/bearing_slope.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
+#include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
 
 #include <memory>
@@ -89,15 +89,15 @@ namespace fstiff { inline namespace v0_1 {
 
 /// The crowded contact of a surface with a bearing curve, or without one.
 template <Real T = double>
-class BearingContact : public detail::SlopeContact<BearingContact<T>, T> {
+class MaterialRatioContact : public detail::SlopeContact<MaterialRatioContact<T>, T> {
 public:
     /// Contact of a Gaussian surface: Persson's.
-    BearingContact(PerssonContact<T> gaussian)  // NOLINT(google-explicit-constructor): one is the other
+    MaterialRatioContact(PerssonContact<T> gaussian)  // NOLINT(google-explicit-constructor): one is the other
         : gaussian_(std::move(gaussian)), rms_height_(gaussian_.rms_height()) {}
 
     /// Contact of the surface f(zeta) = \p curve with the rms height \p rms_height [m]: \p gaussian is that of
     /// rms_height zeta. \throws domain_error unless \p rms_height is finite and positive.
-    BearingContact(PerssonContact<T> gaussian, BearingSlope<T> curve, std::type_identity_t<T> rms_height)
+    MaterialRatioContact(PerssonContact<T> gaussian, MaterialRatioSlope<T> curve, std::type_identity_t<T> rms_height)
         : gaussian_(std::move(gaussian)), rms_height_(rms_height) {
         detail::require_positive("rms_height", rms_height);
         const T furthest = (std::min)(curve.highest(), T(6)) + 1;  // at 7 sigma p is 1e-12 E g
@@ -106,18 +106,18 @@ public:
 
     /// Contact of another surface with the same Gaussian one, in a tenth of the time. Its curve \p curve must end as
     /// high, and this contact must not be scaled. \throws domain_error unless this one has a bearing curve.
-    [[nodiscard]] BearingContact with_curve(BearingSlope<T> curve) const {
+    [[nodiscard]] MaterialRatioContact with_curve(MaterialRatioSlope<T> curve) const {
         detail::require(has_bearing_curve(), "bearing curve", has_bearing_curve(), "there");
-        BearingContact other = *this;
+        MaterialRatioContact other = *this;
         other.set_curve(std::move(curve), bearing_->separation, bearing_->rms_height);
         return other;
     }
 
     /// The contact of a surface \p factor times as high: K under p is that of this one under p/factor.
     /// \throws domain_error unless it is finite and positive.
-    [[nodiscard]] BearingContact scaled(T factor) const {
+    [[nodiscard]] MaterialRatioContact scaled(T factor) const {
         detail::require_positive("factor of the heights", factor);
-        BearingContact taller = *this;
+        MaterialRatioContact taller = *this;
         taller.factor_ *= factor, taller.rms_height_ *= factor, taller.last_scale_ *= factor;
         taller.panels_ = detail::Panels<T>(panels);
         return taller;
@@ -125,9 +125,9 @@ public:
 
     /// The same contact with eta over \p rms_height [m]: of several maps of one surface, over that of all.
     /// \throws domain_error unless it is finite and positive.
-    [[nodiscard]] BearingContact over_rms_height(T rms_height) const {
+    [[nodiscard]] MaterialRatioContact over_rms_height(T rms_height) const {
         detail::require_positive("rms_height", rms_height);
-        BearingContact other = *this;
+        MaterialRatioContact other = *this;
         other.rms_height_ = rms_height;
         return other;
     }
@@ -189,7 +189,7 @@ public:
     /// \throws domain_error unless it is positive and its pressure within reach.
     [[nodiscard]] ContactState<T> at_separation(T separation, Quantity quantities = Quantity::all) const {
         return is_plain() ? gaussian_.at_separation(separation, quantities)
-                          : detail::SlopeContact<BearingContact<T>, T>::at_separation(separation, quantities);
+                          : detail::SlopeContact<MaterialRatioContact<T>, T>::at_separation(separation, quantities);
     }
 
     /// The separation of the mean planes under \p pressure [Pa]: the integral of 1/K up to full_pressure(), and that of
@@ -246,12 +246,12 @@ private:
     }
 
     struct Bearing {
-        BearingSlope<T> curve;
+        MaterialRatioSlope<T> curve;
         detail::PerssonSeparation<T> separation;
         T rms_height;  ///< of the curve [m]
     };
 
-    void set_curve(BearingSlope<T> curve, detail::PerssonSeparation<T> separation, T rms_height) {
+    void set_curve(MaterialRatioSlope<T> curve, detail::PerssonSeparation<T> separation, T rms_height) {
         last_scale_ = curve.slope(T(-0.1), std::sqrt(T(1.25))) / rms_height;  // all in contact: P = 1, d = 0
         bearing_ = std::make_shared<const Bearing>(Bearing{std::move(curve), std::move(separation), rms_height});
         panels_ = detail::Panels<T>(panels);
@@ -269,7 +269,7 @@ private:
 template <Real T, Contact<T> C>
 class ScaledContact : public detail::SlopeContact<ScaledContact<T, C>, T> {
 public:
-    ScaledContact(C g, BearingContact<T> bearing) : gaussian_(std::move(g)), bearing_(std::move(bearing)) {}
+    ScaledContact(C g, MaterialRatioContact<T> bearing) : gaussian_(std::move(g)), bearing_(std::move(bearing)) {}
 
     /// The contact under the nominal pressure \p pressure [Pa]. \throws domain_error as \p C at p/rho.
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
@@ -315,11 +315,11 @@ public:
     [[nodiscard]] T rms_height() const { return bearing_.rms_height(); }
     [[nodiscard]] bool has_kinks() const { return detail::has_kinks(gaussian_) || bearing_.has_kinks(); }
     [[nodiscard]] const C& gaussian() const { return gaussian_; }
-    [[nodiscard]] const BearingContact<T>& bearing() const { return bearing_; }
+    [[nodiscard]] const MaterialRatioContact<T>& bearing() const { return bearing_; }
 
 private:
     C gaussian_;
-    BearingContact<T> bearing_;
+    MaterialRatioContact<T> bearing_;
     detail::Panels<T> panels_{80};  ///< of the separation, of half an e-fold
 };
 

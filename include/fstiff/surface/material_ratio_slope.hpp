@@ -14,7 +14,7 @@
 /// Valid       at least two different heights; missing ones (NaN) are left out; w > 0
 /// Accuracy    slope within 2e-4 of that of all heights (tests/surface/bearing_slope_test.cpp)
 
-#include <fstiff/surface/bearing_curve.hpp>
+#include <fstiff/surface/material_ratio_curve.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ namespace fstiff { inline namespace v0_1 {
 
 /// f as straight lines between knots.
 template <Real T = double>
-class BearingSlope {
+class MaterialRatioSlope {
 public:
     /// One point of the curve.
     struct Knot {
@@ -36,7 +36,7 @@ public:
 
     /// Curve of heights in any order; knots closer than \p spacing are left out.
     /// \throws domain_error unless two of them differ, and all that exist are finite.
-    [[nodiscard]] static BearingSlope of_heights(std::span<const T> heights, T spacing = T(1) / 512) {
+    [[nodiscard]] static MaterialRatioSlope of_heights(std::span<const T> heights, T spacing = T(1) / 512) {
         std::vector<T> sorted;
         for (const T z : heights)
             if (!std::isnan(z)) sorted.push_back(z);
@@ -48,7 +48,8 @@ public:
     /// Curve of heights in rising order, none missing; \p use(from, to, zeta) is called for each run [from, to) of
     /// equal ones.
     template <class Use>
-    [[nodiscard]] static BearingSlope of_sorted(std::span<const T> sorted, const Use& use, T spacing = T(1) / 512) {
+    [[nodiscard]] static MaterialRatioSlope of_sorted(std::span<const T> sorted, const Use& use,
+                                                      T spacing = T(1) / 512) {
         std::vector<Knot> knots;
         const auto count = static_cast<T>(sorted.size());
         for (std::size_t from = 0, to = 0; from < sorted.size(); from = to) {
@@ -59,11 +60,11 @@ public:
             if (to == sorted.size() || knots.empty() || score - knots.back().score >= spacing)
                 knots.push_back({score, sorted[from]});
         }
-        return BearingSlope(std::move(knots));
+        return MaterialRatioSlope(std::move(knots));
     }
 
     /// Curve of knots with rising scores and heights. \throws domain_error unless there are two, and both rise.
-    explicit BearingSlope(std::vector<Knot> knots) : knots_(std::move(knots)) {
+    explicit MaterialRatioSlope(std::vector<Knot> knots) : knots_(std::move(knots)) {
         detail::require(knots_.size() >= 2, "different heights of a bearing curve", knots_.size(), "at least 2");
         for (std::size_t i = 0; i < knots_.size(); ++i) {
             detail::require(std::isfinite(knots_[i].height), "height of a bearing curve", knots_[i].height, "finite");
@@ -80,15 +81,15 @@ public:
     }
 
     /// Curve with heights times \p factor. \throws domain_error unless they also rise after rounding.
-    [[nodiscard]] BearingSlope scaled(T factor) const {
+    [[nodiscard]] MaterialRatioSlope scaled(T factor) const {
         std::vector<Knot> knots = knots_;
         for (Knot& knot : knots) knot.height *= factor;
-        return BearingSlope(std::move(knots));
+        return MaterialRatioSlope(std::move(knots));
     }
 
     /// Curve between two scores: levels beyond them are moved to the nearer one.
     /// \throws domain_error unless low < high, and the curve has a part between them.
-    [[nodiscard]] BearingSlope between(T low, T high) const {
+    [[nodiscard]] MaterialRatioSlope between(T low, T high) const {
         const T from = (std::max)(low, lowest()), to = (std::min)(high, highest());
         detail::require(from < to, "higher score of a part of a bearing curve", high,
                         "above the lower one, within the curve");
@@ -96,7 +97,7 @@ public:
         for (const Knot& knot : knots_)
             if (knot.score > from && knot.score < to) knots.push_back(knot);
         knots.push_back({to, height(to)});
-        return BearingSlope(std::move(knots));
+        return MaterialRatioSlope(std::move(knots));
     }
 
     /// f(zeta), extended by straight lines beyond the ends.
