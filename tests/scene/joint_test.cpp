@@ -306,6 +306,24 @@ std::vector<double> numbers_of(const Answer& found) {
     return numbers;
 }
 
+TEST_CASE("An answer at separations has the pressures there, and refuses what is no separation") {
+    const Joint joint{
+        .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    const Answer under = answer(joint, pressures);
+    std::vector<double> separations;
+    for (const AnswerPoint& point : under.points) separations.push_back(point["separation"]);
+    const Answer at = answer(joint, separations, {.at_separations = true});
+    for (std::size_t i = 0; i < pressures.size(); ++i)
+        CHECK(test::relative_error(at.points[i].pressure, pressures[i]) < 1e-6);  // the root of d(p)
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    CHECK(test::refusal([&] {
+              (void)answer(joint, {1e-6, none}, {.at_separations = true});
+          }).starts_with("separation = nan: must be finite"));
+    CHECK(test::refusal([&] { (void)answer(joint, pressures, {.places = {3}}); }).starts_with("places = 3: must be"));
+    CHECK(test::refusal([&] { (void)answer(joint, pressures, {.quantities = {"reflection"}}); }) ==
+          "quantities = \"reflection\": needs waves");
+}
+
 TEST_CASE("An answer without its approach has every other number, those of crossed planes and of a gap too") {
     Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
     const auto same = [](const Joint& of, const std::vector<double>& under) {

@@ -58,8 +58,11 @@ FSTIFF_INLINE LawOptions law_options(const AnswerOptions& options) {
 
 FSTIFF_INLINE void require_options(std::span<const double> points, const AnswerOptions& options) {
     if (points.empty()) throw domain_error("pressures: must have at least one");
-    if (!options.at_separations)
-        for (const double p : points) require_positive("pressure", p);
+    for (const double x : points)
+        if (options.at_separations)
+            require(std::isfinite(x), "separation", x, "finite");
+        else
+            require_positive("pressure", x);
     require_positive("seating", options.seating);
     require(options.samples == 0 || (options.samples >= 20 && options.samples <= 100000), "samples", options.samples,
             "0, or from 20 to 100000");
