@@ -149,8 +149,10 @@ std::vector<PressureTable::Answer> rows_of(const Answer& answer, const std::vect
     return rows;
 }
 
-std::vector<ContactState<double>> states_of(const AnswerCurve& curve) {
-    std::vector<ContactState<double>> states;
+using States = std::vector<ContactState<double>>;
+
+States states_of(const AnswerCurve& curve) {
+    States states;
     for (const AnswerPoint& point : curve.points)
         if (point.ok()) states.push_back(point.state);
     return states;
@@ -197,19 +199,18 @@ Tabulated of_law(const Scene& scene, const Scene& fine, const PressureTableOptio
                    .warnings = answered.warnings,
                    .doubtful = answered.doubtful};
     made.title = title(made.curve), made.law = "law " + std::string(name_of(made.curve.law));
-    const std::vector<ContactState<double>> states = states_of(made.curve);
+    const States states = states_of(made.curve);
     if (scene.best && options.law.empty() && !states.empty())
         made.answer =
             answer_between(scene, states.front().pressure.value, states.back().pressure.value, options.progress);
     return made;
 }
 
-/// The least and the greatest slope of \p points over K.
-std::optional<PressureTable::Range> slope_over_stiffness(const AnswerCurve& curve, const Line& points) {
-    const Quantity given = detail::find_law(curve.law).quantities;
+/// The least and the greatest slope of \p points over K of the \p states of \p law.
+std::optional<PressureTable::Range> slope_over_stiffness(LawKind law, const States& states, const Line& points) {
+    const Quantity given = detail::find_law(law).quantities;
     if (!detail::has(given, Quantity::stiffness) || !detail::has(given, Quantity::loading_stiffness))
         return std::nullopt;
-    const std::vector<ContactState<double>> states = states_of(curve);
     PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double ratio = points[i].slope / states[i].stiffness.value;
@@ -219,20 +220,18 @@ std::optional<PressureTable::Range> slope_over_stiffness(const AnswerCurve& curv
     return range;
 }
 
-/// The pressures of \p curve, and -dp/dd, over the way that the faces have come closer since its first state.
-Line points_of(const AnswerCurve& curve) {
+/// The pressures of the \p states of \p law, and -dp/dd, over the way that the faces have come closer since the first.
+Line points_of(LawKind law, const States& states) {
     Line points;
-    const std::vector<ContactState<double>> states = states_of(curve);
     for (const auto& state : states) {
         points.push_back({states.front().separation.value - state.separation.value, state.pressure.value,
                           state.loading_stiffness.value});
         if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
-            throw domain_error("law " + std::string(name_of(curve.law)) + ": the separation does not fall at " +
+            throw domain_error("law " + std::string(name_of(law)) + ": the separation does not fall at " +
                                document::shortest(state.pressure.value) +
                                " Pa; a table needs one that falls as the pressure rises");
     }
-    if (points.size() < 2)
-        throw domain_error("law " + std::string(name_of(curve.law)) + ": has no range of pressures there");
+    if (points.size() < 2) throw domain_error("law " + std::string(name_of(law)) + ": has no range of pressures there");
     return points;
 }
 
@@ -297,7 +296,8 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
     const Scene fine = fine_scene(scene, options);
     Tabulated made = options.quantile ? of_answer(scene, fine, options) : of_law(scene, fine, options);
     const AnswerCurve& curve = made.curve;
-    Line points = points_of(curve);
+    const States states = states_of(curve);
+    Line points = points_of(curve.law, states);
     const ChordErrors within = fine_tolerance({options.tolerance, options.slope_tolerance});
     std::vector<std::size_t> chosen = rows_within({points}, within);
     const bool follows = error_of_rows({points}, chosen).slope <= within.slope;
@@ -311,10 +311,10 @@ PressureTable pressure_table(const Scene& scene, const PressureTableOptions& opt
                         .law = std::move(made.law),
                         .from = points.front().y,
                         .to = points.back().y,
-                        .zero_separation = states_of(curve).front().separation.value - foot,
+                        .zero_separation = states.front().separation.value - foot,
                         .error = error,
                         .answer = std::move(made.answer),
-                        .slope_over_stiffness = slope_over_stiffness(curve, points),
+                        .slope_over_stiffness = slope_over_stiffness(curve.law, states, points),
                         .follows_slope = follows,
                         .warnings = std::move(made.warnings),
                         .doubtful = made.doubtful || !follows};

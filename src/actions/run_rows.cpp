@@ -127,7 +127,7 @@ document::Rows point_rows(const Scene& scene, const AnswerCurve& curve, bool ban
 
 namespace {
 
-/// The rows of \p answer for JSON: K with its causes, and the quantities of the scene that follow from K.
+/// The rows of \p answered for JSON: K with its causes, and the quantities of the scene that follow from K.
 Json answer_json(const Answered& answered) {
     const auto& scene = *answered.scene;
     Json rows = Json::array();
