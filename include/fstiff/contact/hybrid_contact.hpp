@@ -13,7 +13,7 @@
 /// Reference   Persson, Phys. Rev. Lett. 99 (2007) 125502; Buczkowski et al. (2014), eq. (4.9); docs/validation.md
 /// Units       SI
 /// Valid       pressures within the reach of both; separations above 0; both of the same surface
-/// Accuracy    K that of its parts, separation 1e-11 of the rms height, 1e-5 where K has kinks
+/// Accuracy    K that of its parts, separation 1e-10 of the rms height, 1e-5 where K has kinks
 ///             (tests/contact/hybrid_contact_test.cpp). Against boundary elements: docs/validation.md
 
 #include <fstiff/contact/contact.hpp>
@@ -94,11 +94,11 @@ public:
         detail::require_positive("pressure", pressure);
         const T above = log_end() - std::log(pressure);
         if (above <= 0) return {T(0), rms_height() * std::numeric_limits<T>::epsilon(), 0};
-        const T width = width_of_panel();
-        const auto panels = static_cast<std::size_t>(above / width);
+        const detail::PanelEdges<T> edge = edges();
+        const std::size_t panels = edge.before(above);
         T d = 0;
         for (std::size_t i = 0; i < panels; ++i) d += panel(i);
-        d += panel(std::log(pressure), log_end() - T(panels) * width - std::log(pressure));
+        d += panel(std::log(pressure), log_end() - edge(panels) - std::log(pressure));
         return {d, (error_share() + 64 * std::numeric_limits<T>::epsilon()) * (d + rms_height()), 16};
     }
 
@@ -107,12 +107,14 @@ public:
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         detail::require(eta > 0 && std::isfinite(eta), "eta", eta,
                         "finite and greater than 0 (separation over rms height)");
-        const T width = width_of_panel();
+        const detail::PanelEdges<T> edge = edges();
         std::size_t panels = 0;
         T d = 0;
-        while (T(panels) * width < e_folds && (d += panel(panels)) <= eta * rms_height()) ++panels;
-        const T high = log_end() - T(panels) * width, low = high - (T(panels) * width < e_folds ? width : T(500));
-        return this->searched_log_pressure(eta, low, high, high - width / 2, "within the reach of the laws");
+        while (edge(panels) < e_folds && (d += panel(panels)) <= eta * rms_height()) ++panels;
+        const T begin = edge(panels), width = edge(panels + 1) - begin, high = log_end() - begin;
+        const T low = high - (begin < e_folds ? width : T(500));
+        return this->searched_log_pressure(eta, low, high, high - (std::min)(width, T(1)) / 2,
+                                           "within the reach of the laws");
     }
 
     /// Pressure from which on all is in contact [Pa]: 2 E g at the local scale of a bearing curve.
@@ -125,18 +127,20 @@ public:
 private:
     static constexpr int e_folds = 24;  ///< of pressure below 2 E g: 4e-11 of it
 
-    /// Panels of ln p: short ones with few points where K has kinks.
-    [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 32 : T(1); }
+    /// Of panels of ln p below 2 E g: short ones with few points where K has kinks.
+    [[nodiscard]] detail::PanelEdges<T> edges() const {
+        return has_kinks() ? detail::PanelEdges<T>(T(1) / 32) : detail::PanelEdges<T>();
+    }
 
     [[nodiscard]] T log_end() const { return std::log(full_pressure()); }
 
     /// Error of the separation over the rms height.
-    [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-11); }
+    [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-10); }
 
     /// The same over panel \p i below 2 E g.
     [[nodiscard]] T panel(std::size_t i) const {
-        const T width = width_of_panel();
-        return panels_.at(i, [&] { return panel(log_end() - T(i + 1) * width, width); });
+        const detail::PanelEdges<T> edge = edges();
+        return panels_.at(i, [&] { return panel(log_end() - edge(i + 1), edge(i + 1) - edge(i)); });
     }
     /// int p/K d ln p
     [[nodiscard]] T panel(T from, T length) const {
@@ -147,7 +151,7 @@ private:
     Peaks peaks_;
     MaterialRatioContact<T> crowded_;
     Join join_;
-    detail::Panels<T> panels_{static_cast<std::size_t>(T(e_folds) / width_of_panel())};
+    detail::Panels<T> panels_{edges().before(T(e_folds))};
 };
 
 }}  // namespace fstiff

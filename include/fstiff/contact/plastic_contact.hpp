@@ -12,7 +12,7 @@
 /// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159
 /// Units       SI
 /// Valid       0 < p < H within the reach of the elastic contact; compared up to 0.95 H, H/(E g) from 0.02 to 3
-/// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks; K of Gaussian numbers within 15 % of boundary
+/// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks or H is above 2 E g; K of Gaussian numbers within 15 % of boundary
 ///             elements at 95 of 100 points (tests/contact/plastic_contact_map_test.cpp)
 
 #include <fstiff/contact/contact.hpp>
@@ -212,11 +212,12 @@ public:
 
     /// Separation [m] of the mean planes on loading under \p pressure [Pa] < H.
     [[nodiscard]] Estimate<T> separation(T pressure) const {
-        const T u = std::log(pressure / (hardness_ - pressure)), width = width_of_panel(), side = u < 0 ? -1 : 1;
-        const auto panels = static_cast<std::size_t>(std::abs(u) / width);
+        const T u = std::log(pressure / (hardness_ - pressure)), side = u < 0 ? -1 : 1;
+        const detail::PanelEdges<T> edge = edges();
+        const std::size_t panels = edge.before(std::abs(u));
         T fall = 0;
         for (std::size_t i = 0; i < panels; ++i) fall += panel(side, i);
-        fall += side * fall_between(side * T(panels) * width, u);
+        fall += side * fall_between(side * edge(panels), u);
         const T d = at_half() - side * fall;
         return {d, error_share() * (std::abs(d) + rms_height()), 16};
     }
@@ -225,13 +226,14 @@ public:
     /// \throws domain_error unless the pressure of eta is within reach.
     [[nodiscard]] LogSlope<T> log_pressure(T eta) const {
         detail::require(std::isfinite(eta), "eta", eta, "finite (separation over rms height)");
-        const T width = width_of_panel(), start = at_half(), side = eta * rms_height() > start ? -1 : 1;
+        const detail::PanelEdges<T> edge = edges();
+        const T start = at_half(), side = eta * rms_height() > start ? -1 : 1;
         const T target = std::abs(eta * rms_height() - start);
         std::size_t n = 0;
         T fall = 0;
-        for (T next; T(n) * width < furthest && (next = fall + panel(side, n)) <= target; ++n) fall = next;
-        detail::require(T(n) * width < furthest, "eta", eta, "within the reach of the laws");
-        const T from = side * T(n) * width, to = from + side * width;
+        for (T next; edge(n) < furthest && (next = fall + panel(side, n)) <= target; ++n) fall = next;
+        detail::require(edge(n) < furthest, "eta", eta, "within the reach of the laws");
+        const T from = side * edge(n), to = side * edge(n + 1);
         const auto residual = [&](T u) {
             return std::pair(side * fall_between(from, u) + fall - target, side * fall_at(u));
         };
@@ -255,8 +257,10 @@ public:
 private:
     static constexpr int furthest = 36;  ///< ln(p/(H - p)) to either side: 2e-16 of H
 
-    /// Panels of ln(p/(H - p)): short ones with few points where K has kinks.
-    [[nodiscard]] T width_of_panel() const { return has_kinks() ? T(1) / 8 : T(1); }
+    /// Of panels of ln(p/(H - p)) to either side of p = H/2: short ones with few points where K has kinks.
+    [[nodiscard]] detail::PanelEdges<T> edges() const {
+        return has_kinks() ? detail::PanelEdges<T>(T(1) / 8) : detail::PanelEdges<T>();
+    }
 
     /// The contact under \p share of H, compared with boundary elements or not: closed where the elastic one is.
     [[nodiscard]] detail::Yielded<T> yielded(T share) const {
@@ -288,18 +292,20 @@ private:
     }
     /// The same over panel \p i beyond p = H/2, at more (\p side is 1) or less (-1).
     [[nodiscard]] T panel(T side, std::size_t i) const {
-        const T width = width_of_panel(), from = side * T(i) * width;
-        return panels_.at(2 * i + (side > 0), [&] { return side * fall_between(from, from + side * width); });
+        const detail::PanelEdges<T> edge = edges();
+        return panels_.at(2 * i + (side > 0), [&] { return side * fall_between(side * edge(i), side * edge(i + 1)); });
     }
     /// d at p = H/2.
     [[nodiscard]] T at_half() const { return yielded(T(0.5)).flow * cut_.level(T(0.5)).first; }
     /// Error of the separation over the rms height.
-    [[nodiscard]] T error_share() const { return has_kinks() ? T(1e-5) : T(1e-10); }
+    [[nodiscard]] T error_share() const {
+        return has_kinks() || hardness_ > elastic_.full_pressure() ? T(1e-5) : T(1e-10);
+    }
 
     Elastic elastic_;
     Cut cut_;
     T hardness_;  ///< [Pa]
-    detail::Panels<T> panels_{static_cast<std::size_t>(2 * furthest / width_of_panel())};
+    detail::Panels<T> panels_{2 * edges().before(furthest)};
 };
 
 template <class Elastic, class Cut, class Number>

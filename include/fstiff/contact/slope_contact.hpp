@@ -38,6 +38,26 @@ private:
     std::shared_ptr<std::vector<std::atomic<T>>> known_;
 };
 
+/// Where panels of an integral over the logarithm of the pressure begin, from heavy loads on: after 0, 1, 2, 5, 8, 11,
+/// ... e-folds, for lighter contacts are nearer to a power law; or after steps of one length.
+template <Real T>
+class PanelEdges {
+public:
+    PanelEdges() = default;
+    explicit PanelEdges(T step) : step_(step) {}
+    [[nodiscard]] T operator()(std::size_t panel) const {
+        return step_ > 0 ? T(panel) * step_ : T(panel < 2 ? panel : 3 * panel - 4);
+    }
+    /// The number of panels that end at \p distance or before.
+    [[nodiscard]] std::size_t before(T distance) const {
+        const auto whole = static_cast<std::size_t>(step_ > 0 ? distance / step_ : distance);
+        return step_ > 0 || whole < 2 ? whole : (whole + 4) / 3;
+    }
+
+private:
+    T step_ = 0;
+};
+
 /// \p Derived has at_pressure, log_pressure and rms_height.
 template <class Derived, Real T>
 class SlopeContact {
