@@ -7,16 +7,17 @@
 #include "document/shown_unit.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fstiff::actions {
 
-/// The units of the columns, by the sizes of the scene; that of K fits the answer at points_of_answer().
-struct Units {
-    document::ShownUnit pressure, height, density, stiffness, force, joint_stiffness;
-};
+/// The units of the columns, each by its SI unit and by the sizes of the scene; that of K fits the answer at
+/// points_of_answer().
+using Units = std::map<std::string_view, document::ShownUnit>;
 
 /// The name, the file and the SHA-256 of \p scene, for a JSON document.
 [[nodiscard]] document::Json scene_json(const scene::Scene& scene);

@@ -39,12 +39,12 @@ Units units_of(const Answered& answered) {
     for (const AnswerCurve& curve : answered.curves())
         if (!answered.has_answer()) add(curve);
     const double middle = std::sqrt(least * most);
-    return {.pressure = document::unit_of_pressure(middle),
-            .height = document::unit_of_length(scene.joint.face.parameters.rms_height.value),
-            .density = document::unit_of_density(scene.joint.face.parameters.peak_density.value),
-            .stiffness = document::shown_unit(stiffness, "Pa/m"),
-            .force = document::shown_unit(middle * scene.joint.nominal_area.value_or(0), "N"),
-            .joint_stiffness = document::shown_unit(joint, "N/m")};
+    return {{"Pa", document::unit_of_pressure(middle)},
+            {"m", document::unit_of_length(scene.joint.face.parameters.rms_height.value)},
+            {"1/m^2", document::unit_of_density(scene.joint.face.parameters.peak_density.value)},
+            {"Pa/m", document::shown_unit(stiffness, "Pa/m")},
+            {"N", document::shown_unit(middle * scene.joint.nominal_area.value_or(0), "N")},
+            {"N/m", document::shown_unit(joint, "N/m")}};
 }
 
 bool has_approach(const Answer& answer) {
@@ -75,16 +75,8 @@ std::optional<double> plasticity_index(const detail::ResolvedJoint& joint) {
 
 document::Heading heading_of(const scene::NumberOf& column, const Units& units) {
     const auto& [quantity, part] = column;
-    const std::string_view si = quantity->unit;
-    const document::ShownUnit unit = si == "Pa"          ? units.pressure
-                                     : si == "m"         ? units.height
-                                     : si == "1/m^2"     ? units.density
-                                     : si == "Pa/m"      ? units.stiffness
-                                     : si == "N"         ? units.force
-                                     : si == "N/m"       ? units.joint_stiffness
-                                     : si == "S/m^2"     ? document::ShownUnit{"S/m²"}
-                                     : si == "W/(m^2 K)" ? document::ShownUnit{"W/(m² K)"}
-                                                         : document::ShownUnit{si};
+    const auto known = units.find(quantity->unit);
+    const document::ShownUnit unit = known != units.end() ? known->second : document::shown_unit(0, quantity->unit);
     if (part.empty()) return {column.key(), unit.heading(quantity->symbol), unit.factor};
     if (part != "_error") return {column.key(), unit.heading(part == "_p05" ? "5 %" : "95 %"), unit.factor};
     if (quantity->word != "stiffness") return {column.key()};  // the others have that of K
@@ -262,7 +254,7 @@ document::TextRows answer_table(const Answered& answered, std::size_t causes) {
     const double area = scene.joint.nominal_area.value_or(0);
     for (const std::size_t place : places)
         if (const AnswerPoint* point = answer.at(place)) joint.push_back(area * point->stiffness.value);
-    const document::ShownUnit unit = units_of(answered).stiffness, joint_unit = document::shown_unit(joint, "N/m"),
+    const document::ShownUnit unit = units_of(answered).at("Pa/m"), joint_unit = document::shown_unit(joint, "N/m"),
                               height = document::unit_of_length(answer.rms_height);
     const auto at_point = [&](const auto& value) {
         return [&answer, value](std::size_t place) {

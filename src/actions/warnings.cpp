@@ -63,15 +63,14 @@ void warn_of_lost(Answered& answered) {
 
 /// A warning where law plastic is nearer to the hardness than any comparison of it.
 void warn_of_hardness(Answered& answered) {
-    const double limit = detail::max_compared_flow * answered.answer.hardness;
     for (const AnswerCurve* curve : answered.shown_curves())
-        for (const AnswerPoint& point : curve->points) {
-            if (point.law != LawKind::plastic || !(point.pressure > limit)) continue;
+        if (const Check<double>* check = detail::find_check(curve->checks, Concern::beyond_comparison)) {
             answered.doubtful = answered.doubtful || answered.is_answer(*curve);
             return answered.warnings.push_back(
-                "law plastic was compared up to " + document::with_unit(limit, "Pa", 3) + ", " +
+                "law plastic was compared up to " + document::with_unit(check->limit, "Pa", 3) + ", " +
                 document::shown_percent(detail::max_compared_flow) + " of the hardness: K at " +
-                document::with_unit(point.pressure, "Pa", 3) + " may be far off, and outside of its band");
+                document::with_unit(curve->at(check->first)->pressure, "Pa", 3) +
+                " may be far off, and outside of its band");
         }
 }
 

@@ -34,6 +34,8 @@ const Ladder* ladder_of(std::string_view si) {
          2},
         {"N", {{{"N"}, 0}, {{"kN", 1e3}, 1e3}, {{"MN", 1e6}, 1e6}}, 0},
         {"N/m", {{{"N/mm", 1e3}, 0}, {{"N/µm", 1e6}, 1e5}, {{"kN/µm", 1e9}, 1e9}, {{"MN/µm", 1e12}, 1e12}}, 2},
+        {"S/m^2", {{{"S/m²"}, 0}}, 0},
+        {"W/(m^2 K)", {{{"W/(m² K)"}, 0}}, 0},
         {"Hz", {{{"Hz"}, 0}, {{"kHz", 1e3}, 1e3}, {{"MHz", 1e6}, 1e4}, {{"GHz", 1e9}, 1e9}}, 2}};
     if (si == "1/m^2") si = "/m^2";
     const auto entry =

@@ -201,7 +201,7 @@ FSTIFF_INLINE void take_state(const ResolvedJoint& joint, const LawCurve& curve,
         if (auto value = value_of(*quantity, joint, curve, i)) point.values.push_back(std::move(*value));
 }
 
-/// \p curve at \p points, which it has a state or a reason for.
+/// \p curve at the points of \p request, which it has a state or a reason for.
 FSTIFF_INLINE void take_curve(const ResolvedJoint& joint, const LawCurve& curve, const Request& request,
                               const AnswerOptions& options, const std::vector<const AnswerQuantity*>& quantities,
                               AnswerCurve& to) {
@@ -212,6 +212,10 @@ FSTIFF_INLINE void take_curve(const ResolvedJoint& joint, const LawCurve& curve,
     to.checks = curve.checks;
     for (Check<double>& check : to.checks)
         if (!check.holds()) check.first = curve.places[check.first];
+    if (auto check = beyond_comparison(joint, curve)) {
+        check->first = curve.places[check->first];
+        to.checks.push_back(*check);
+    }
     auto missed = curve.missed.begin();
     for (std::size_t i = 0; i < curve.states.size() || missed != curve.missed.end();) {
         AnswerPoint& point = to.points.emplace_back();

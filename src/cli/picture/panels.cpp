@@ -91,17 +91,17 @@ Panel panel_of(const std::vector<DrawnCurve>& curves, const AnswerQuantity& quan
                const actions::Units& units) {
     const document::Heading heading = heading_of({&quantity}, units);
     Panel panel{.title = std::move(title),
-                .x = {units.pressure.heading("nominal pressure p")},
+                .x = {units.at("Pa").heading("nominal pressure p")},
                 .y = {heading.shown},
                 .height = 240};
     const std::size_t count = std::min(curves.size(), most_curves);
     for (std::size_t k = 0; k < count; ++k) {
-        panel.lines.push_back(line_of(curves[k], quantity, units.pressure, heading.factor));
+        panel.lines.push_back(line_of(curves[k], quantity, units.at("Pa"), heading.factor));
         panel.lines.back().colour = static_cast<int>(k);
     }
     for (std::size_t k = 0; k < count; ++k) {
         if (!curves[k].between || actions::count_of(*curves[k].own) > most_marks) continue;
-        const PlotLine own = line_of({curves[k].own, curves[k].is_answer}, quantity, units.pressure, heading.factor);
+        const PlotLine own = line_of({curves[k].own, curves[k].is_answer}, quantity, units.at("Pa"), heading.factor);
         panel.lines.push_back({.x = own.x, .y = own.y, .marks = true, .colour = static_cast<int>(k)});
     }
     return panel;
@@ -126,7 +126,7 @@ void frame_reflection(Panel& panel) {
 Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<DrawnCurve>& curves,
                       const actions::Units& units) {
     Panel panel = panel_of(curves, detail::quantity_called("stiffness"), "Normal stiffness per nominal area", units);
-    panel.y.label = units.stiffness.heading("K/A₀");
+    panel.y.label = units.at("Pa/m").heading("K/A₀");
     panel.height = 360;
     if (problem.ultrasound) {
         const UltrasonicWaves& waves = *problem.ultrasound;
@@ -134,8 +134,8 @@ Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<Dr
             panel.window = {"|R| " + document::rounded(range->min_reflection, 2) + " to " +
                                 document::rounded(range->max_reflection, 2) + " at " +
                                 document::rounded(waves.frequency / 1e6, 3) + " MHz",
-                            std::max(range->low - waves.film_stiffness, 0.0) * units.stiffness.factor,
-                            std::max(range->high - waves.film_stiffness, 0.0) * units.stiffness.factor};
+                            std::max(range->low - waves.film_stiffness, 0.0) * units.at("Pa/m").factor,
+                            std::max(range->high - waves.film_stiffness, 0.0) * units.at("Pa/m").factor};
     }
     double least = std::numeric_limits<double>::infinity(), most = 0, last = 0;
     LawKind before = LawKind::none;
@@ -146,16 +146,16 @@ Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<Dr
             if (!curve.is_answer) continue;
             if (before != LawKind::none && point->law != before)
                 panel.changes.push_back(
-                    {std::sqrt(last * p) * units.pressure.factor, name_of(before), name_of(point->law)});
+                    {std::sqrt(last * p) * units.at("Pa").factor, name_of(before), name_of(point->law)});
             before = point->law, last = p;
         }
     // a straight line on logarithmic axes: two points are enough
     PlotLine reference{.label = "p/(0.48 σ)", .colour = neutral};
     for (const double p : {least, most}) {
         if (!(p > 0) || (!reference.x.empty() && least == most)) continue;
-        reference.x.push_back(p * units.pressure.factor);
+        reference.x.push_back(p * units.at("Pa").factor);
         reference.y.push_back(detail::linear_stiffness(p, problem.face.parameters.rms_height.value) *
-                              units.stiffness.factor);
+                              units.at("Pa/m").factor);
     }
     panel.lines.push_back(std::move(reference));
     return panel;
