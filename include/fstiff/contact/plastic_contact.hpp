@@ -12,8 +12,8 @@
 /// Reference   this project, docs/validation.md; Pullen, Williamson, Proc. R. Soc. A 327 (1972) 159
 /// Units       SI
 /// Valid       0 < p < H within the reach of the elastic contact; compared up to 0.95 H, H/(E g) from 0.02 to 3
-/// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks or H is above 2 E g; K of Gaussian numbers within 15 % of boundary
-///             elements at 95 of 100 points (tests/contact/plastic_contact_map_test.cpp)
+/// Accuracy    p(d) 1e-10 of the rms height, 1e-5 where K has kinks or H is above 2 E g; K of Gaussian numbers within
+///             15 % of boundary elements at 95 of 100 points (tests/contact/plastic_contact_map_test.cpp)
 
 #include <fstiff/contact/contact.hpp>
 #include <fstiff/contact/interaction.hpp>
