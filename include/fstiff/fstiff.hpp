@@ -45,7 +45,6 @@
 #include <fstiff/surface/spectrum.hpp>
 #include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
-#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/fractal_result.hpp>
