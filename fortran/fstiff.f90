@@ -370,13 +370,6 @@ module fstiff
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
         end function
-        function fstiff_peaks(profile, options, made) bind(c) result(status)
-            import
-            type(c_ptr), value :: profile
-            character(kind=c_char), intent(in) :: options(*)
-            type(c_ptr), intent(out) :: made
-            integer(c_int) :: status
-        end function
         function fstiff_generate(options, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: options(*)

@@ -336,10 +336,6 @@ typedef struct fstiff_curve {
  * that read a surface. Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map,
  * "acf.lag_m", "acf.acf" ... */
 FSTIFF_API int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made);
-/** Density of peak heights and curvatures. Options: r and theta, or theta and exponential = true, or rho1 and rho2, or
- * a profile with the options that read it; heights = FROM,TO,COUNT. Numbers: "r", "theta", "mean_height",
- * "heights.density" ... */
-FSTIFF_API int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made);
 /** A surface of known D or H. Options: kind (wm, profile, map), spacing, points, rows, hurst, rms, dimension,
  * roughness, gamma, longest, shortest, long_waves, seed; format of the text. Numbers: "heights_m", row after row,
  * "rows", "columns", "dx_m", "dy_m". The text is the file that the command writes. */

@@ -6,7 +6,6 @@
 #include "actions/export.hpp"
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
-#include "actions/peak_density.hpp"
 #include "actions/run.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/ultrasound.hpp"
@@ -122,14 +121,6 @@ int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_d
         auto request = request_of<fstiff::actions::SpectrumRequest>(options);
         auto input = surface_of(request.surface, heights);
         if (!input) throw fstiff::domain_error("file: is missing; heights or the option file must be given");
-        return handle_of(document_of(request, std::move(input)));
-    });
-}
-
-int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
-    return made_by(made, [&] {
-        auto request = request_of<fstiff::actions::PeakDensityRequest>(options);
-        auto input = surface_of(request.surface, profile);
         return handle_of(document_of(request, std::move(input)));
     });
 }
