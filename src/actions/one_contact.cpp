@@ -8,6 +8,7 @@
 #include <fstiff/answer/resolve.hpp>
 #include <fstiff/answer/resolved_joint.hpp>
 #include <fstiff/answer/unknowns.hpp>
+#include <fstiff/math/difference.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +73,8 @@ double difference(const Number& number, double x, const F& f) {
                 12 * f(x + 5 * h)) /
                (60 * h);
     }
-    const double scale = x == 0 ? 1 : std::abs(x), h = 2e-3 * std::min({scale, x - number.low, number.high - x});
-    return (45 * (f(x + h) - f(x - h)) - 9 * (f(x + 2 * h) - f(x - 2 * h)) + (f(x + 3 * h) - f(x - 3 * h))) / (60 * h);
+    const double scale = x == 0 ? 1 : std::abs(x), h = 4e-3 * std::min({scale, x - number.low, number.high - x});
+    return math::central_difference([&](double change) { return f(x + change); }, h);
 }
 
 /// \p joint resolved; its one body has no name in refusals.

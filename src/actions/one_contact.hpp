@@ -35,7 +35,7 @@ struct OneContact {
                                       const ProgressHook& progress = {});
 
 /// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of the face
-/// and of the upper body of \p joint that is known, by its name. By differences of six points: within 1e-7 K of x dK/dx
+/// and of the upper body of \p joint that is known, by its name. By differences: within 1e-7 K of x dK/dx
 /// (tests/scene/one_contact_test.cpp).
 /// \throws domain_error as contact_of, and for a pressure that the law does not reach.
 [[nodiscard]] std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure);
