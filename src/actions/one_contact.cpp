@@ -90,11 +90,15 @@ detail::ResolvedJoint problem_of_one(const Joint& joint) {
 
 }  // namespace
 
+const ChosenLaw& law_called(const std::string& name) {
+    for (const ChosenLaw& law : detail::all_laws())
+        if (law.row().name == name) return law;
+    throw domain_error("law = \"" + name.substr(0, 40) + "\": must be one of " +
+                       document::list_and_suggestion(name, detail::law_names()));
+}
+
 OneContact make_contact(const std::string& law, Joint joint, const ProgressHook& progress) {
-    const detail::Law* const named = detail::find_law(law);
-    if (!named)
-        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " +
-                           document::list_and_suggestion(law, detail::law_names()));
+    const detail::Law* const named = &law_called(law).row();
     const std::string name = "law " + law + ": needs ";
     if (named->needs_yield && std::isnan(joint.upper.elastic.poisson_ratio)) throw domain_error(name + "poisson_ratio");
     const bool has_radius = joint.face.measured || (joint.face.peak_radius && joint.face.peak_density);

@@ -19,11 +19,13 @@ public:
 };
 
 struct OneContact {
-    std::shared_ptr<const detail::ResolvedJoint> problem;  ///< what the contact was made of lives as long as it
+    std::shared_ptr<const detail::ResolvedJoint> problem{};  ///< what the contact was made of lives as long as it
     const detail::Law* law = nullptr;
     std::shared_ptr<const AnyContact> contact;
 };
 
+/// The law called \p name. \throws domain_error with those that there are.
+[[nodiscard]] const ChosenLaw& law_called(const std::string& name);
 /// The contact of \p joint with the law called \p law, which takes no peaks but those that were measured or given,
 /// and Gaussian heights where R and D_p are given and their shape is not.
 /// \p progress is called while the law is prepared, where that takes long.

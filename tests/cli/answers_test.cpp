@@ -88,7 +88,7 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
     CHECK(text_of(rows) == printed.out);
     const auto first = nlohmann::json::parse(printed.out)["rows"][0];
     const double p = first["pressure_Pa"], r = first["reflection"];
-    const fstiff_curve array{sizeof array, &p, &r, nullptr, 1, 1};
+    const fstiff_measured_curve array{sizeof array, &p, &r, nullptr, 1, 1};
     const auto of_array =
         made_by([&](auto made) { return fstiff_ultrasound(&array, ("frequency = 7 MHz" + steel).c_str(), made); });
     CHECK(numbers_at(of_array, "rows.0.stiffness_Pa_per_m") == std::vector<double>{first["stiffness_Pa_per_m"]});
@@ -166,7 +166,7 @@ TEST_CASE("The C interface refuses requests in one sentence") {
     refused(fstiff_run(nullptr, 0, nullptr, "surface = nowhere.csv", &none), FSTIFF_REFUSED, "no such file");
     refused(fstiff_export(nullptr, 0, nullptr, "law = persson", &none), FSTIFF_REFUSED, "persson");
     refused(fstiff_spectrum(nullptr, nullptr, nullptr), FSTIFF_BAD_ARGUMENT, "made");
-    const fstiff_curve empty{sizeof empty, nullptr, nullptr, nullptr, 0, 1};
+    const fstiff_measured_curve empty{sizeof empty, nullptr, nullptr, nullptr, 0, 1};
     refused(fstiff_ultrasound(&empty, nullptr, &none), FSTIFF_BAD_ARGUMENT, "pressures");
     const auto wave = made_by([&](auto made) {
         return fstiff_ultrasound(nullptr, "stiffness = 1e15\nfrequency = 7e6\nimpedance = 46e6", made);
