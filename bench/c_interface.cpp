@@ -60,11 +60,14 @@ int main() {
         separations[i] = law.separation(pressures[i]);
     }
     const std::string text = law.to_text();
-    fstiff_roughness surface{sizeof surface, 0.832e-6, 40e-6, 500e6, 0, 0.5, 1, 0, 0, 0, 0};
-    fstiff_body body{sizeof body, 112.6e9, 0, 0, 0, 0, FSTIFF_NO_INTERACTION};
+    fstiff_face face{};
+    face.size = sizeof face;
+    face.rms_height = 0.832e-6, face.peak_radius = 40e-6, face.peak_density = 500e6, face.r = 0.5, face.theta = 1;
+    fstiff_joint joint{};
+    joint.size = sizeof joint, joint.face = &face, joint.effective_modulus = 112.6e9;
     fstiff_contact* contact = nullptr;
     fstiff_law* c_law = nullptr;
-    if (fstiff_contact_make("hertz", &surface, &body, &contact) || fstiff_law_of_text(text.data(), text.size(), &c_law))
+    if (fstiff_contact_make("hertz", &joint, &contact) || fstiff_law_of_text(text.data(), text.size(), &c_law))
         return 1;
 
     std::puts("what,cpp_ns,c_ns,c_over_cpp_ns,largest_difference");

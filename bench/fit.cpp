@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole fits of K(p): with the exact derivatives of the contact, and with differences of its curve.
+// Whole fits of K(p).
 #include "row.hpp"
 
 #include "support/normal.hpp"
 #include "support/paper.hpp"
 
-#include <fstiff/identify/differences.hpp>
 #include <fstiff/identify/identify.hpp>
 
 #include <cmath>
@@ -33,35 +32,25 @@ struct Case {
     template <class Law>
     Case(std::vector<Parameter> parameters, const Law& law, double noise) : wanted(std::move(parameters)) {
         for (const Parameter each : wanted) start[each] *= each == Parameter::offset ? 0 : 0.9;
-        std::vector<double> pressures;
-        for (int i = 0; i < 30; ++i) pressures.push_back(0.5e6 * std::pow(100.0, i / 29.0));
-        std::vector<double> loads = pressures;
-        for (double& p : loads) p += truth.offset;
-        const std::vector<double> stiffness = curve(law)(truth, loads);
+        const fstiff::RoughContact contact(
+            fstiff::Roughness<double>{truth.rms_height, truth.peak_radius, truth.peak_density, 0},
+            fstiff::PeakDistribution<double>(truth.r, truth.theta), law(truth.fractal_dimension),
+            truth.effective_modulus);
         test::Normal normal(1);
-        for (std::size_t i = 0; i < loads.size(); ++i)
-            data.push_back({pressures[i], stiffness[i] * (1 + noise * normal()), 0.01 * stiffness[i]});
-    }
-
-    template <class Law>
-    static auto curve(const Law& law) {
-        return [law](const ContactParameters<double>& x, std::span<const double> loads) {
-            const fstiff::RoughContact contact(
-                fstiff::Roughness<double>{x.rms_height, x.peak_radius, x.peak_density, 0},
-                fstiff::PeakDistribution<double>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus);
-            std::vector<double> stiffness;
-            for (const double p : loads)
-                stiffness.push_back(contact.at_pressure(p, fstiff::Quantity::stiffness).stiffness.value);
-            return stiffness;
-        };
+        for (int i = 0; i < 30; ++i) {
+            const double p = 0.5e6 * std::pow(100.0, i / 29.0),
+                         stiffness = contact.at_pressure(p + truth.offset, fstiff::Quantity::stiffness).stiffness.value;
+            data.push_back({p, stiffness * (1 + noise * normal()), 0.01 * stiffness});
+        }
     }
 };
 
-/// \p fit(case) of data without noise, whose error is that of the parameters; its time is that with 1 % of noise.
-template <class Law, class Fit>
-void fit_row(const std::string& name, const std::vector<Parameter>& wanted, const Law& law, const Fit& fit) {
+/// A fit of data without noise, whose error is that of the parameters; its time is that with 1 % of noise.
+template <class Law>
+void fit_row(const std::string& name, const std::vector<Parameter>& wanted, const Law& law) {
+    const auto fit = [=](const Case& of) { return identify(of.data, of.wanted, of.start, law); };
     verified_row(
-        name, 1e-8,
+        "fit/" + name, 1e-8,
         [=] {
             const Case exact(wanted, law, 0);
             const Identification<double> found = fit(exact);
@@ -76,24 +65,15 @@ void fit_row(const std::string& name, const std::vector<Parameter>& wanted, cons
         });
 }
 
-template <class Law>
-void fit_rows(const std::string& name, const std::vector<Parameter>& wanted, const Law& law) {
-    fit_row("fit/exact/" + name, wanted, law,
-            [=](const Case& of) { return identify(of.data, of.wanted, of.start, law); });
-    fit_row("fit/differences/" + name, wanted, law, [=](const Case& of) {
-        return fstiff::detail::identify_by_differences<double>(of.data, of.wanted, of.start, Case::curve(law));
-    });
-}
-
 const Rows rows_of_fit([] {
     using enum Parameter;
     const auto hertz = [](double) { return fstiff::HertzLaw<double>{}; };
     const auto fractal = [](double dimension) { return fstiff::FractalLaw<double>(dimension); };
-    fit_rows("hertz/sigma,R", {rms_height, peak_radius}, hertz);
-    fit_rows("hertz/Dp,offset", {peak_density, offset}, hertz);
-    fit_rows("fractal/sigma,Dp", {rms_height, peak_density}, fractal);
-    fit_rows("fractal/sigma,D,offset", {rms_height, fractal_dimension, offset}, fractal);
-    fit_rows("fractal/sigma,R,theta", {rms_height, peak_radius, theta}, fractal);
+    fit_row("hertz/sigma,R", {rms_height, peak_radius}, hertz);
+    fit_row("hertz/Dp,offset", {peak_density, offset}, hertz);
+    fit_row("fractal/sigma,Dp", {rms_height, peak_density}, fractal);
+    fit_row("fractal/sigma,D,offset", {rms_height, fractal_dimension, offset}, fractal);
+    fit_row("fractal/sigma,R,theta", {rms_height, peak_radius, theta}, fractal);
 });
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "row.hpp"
 
 #include <fstiff/math/fft.hpp>
-#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/structure_function.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 #include <fstiff/synthetic/weierstrass_mandelbrot.hpp>
@@ -78,22 +77,6 @@ const fstiff::Profile<double>& million() {
     return profile;
 }
 
-Accuracy all_lags_accuracy() {
-    const auto& z = million().heights;
-    const auto found = fstiff::detail::structure_function_at_all_lags(million());
-    AccuracyCollector collector;
-    for (std::size_t k = 0; k < found.size(); k = 2 * k + 1) {
-        long double sum = 0;
-        for (std::size_t i = 0; i + found.step[k] < z.size(); ++i) {
-            const long double difference = static_cast<long double>(z[i + found.step[k]]) - z[i];
-            sum += difference * difference;
-        }
-        collector.add(found.value[k], static_cast<double>(sum / static_cast<long double>(z.size() - found.step[k])));
-    }
-    collector.add_cost(static_cast<double>(found.size()));
-    return collector.accuracy();
-}
-
 void transform_and_back(std::vector<double>& back) {
     fstiff::math::RealFft<double> fft(million().heights.size());
     std::vector<std::complex<double>> spectrum;
@@ -133,13 +116,6 @@ const Rows rows_of_profile([] {
     verified_row("profile/structure_function/100000", 1e-12, structure_accuracy, [](benchmark::State& state) {
         for (auto _ : state) {
             const auto found = fstiff::structure_function(long_profile());
-            benchmark::DoNotOptimize(found.value.data());
-        }
-    });
-    // a million points: all lags, and the yardstick, one transform there and back
-    verified_row("profile/all_lags/1000000", 1e-10, all_lags_accuracy, [](benchmark::State& state) {
-        for (auto _ : state) {
-            const auto found = fstiff::detail::structure_function_at_all_lags(million());
             benchmark::DoNotOptimize(found.value.data());
         }
     });

@@ -43,16 +43,6 @@ module fstiff
 
     ! The sizes are those of the C structs on every platform where a double, a pointer and a size_t have 8 bytes; the test of
     ! this module compares them with c_sizeof.
-    type, bind(c) :: fstiff_roughness
-        integer(c_size_t) :: size = 88
-        real(c_double) :: rms_height = 0, peak_radius = 0, peak_density = 0, max_peak_height = 0, r = 0, theta = 0, &
-            fractal_dimension = 0, rms_gradient = 0, skewness = 0, kurtosis = 0
-    end type
-    type, bind(c) :: fstiff_body
-        integer(c_size_t) :: size = 56
-        real(c_double) :: effective_modulus = 0, yield_strength = 0, hardness = 0, poisson_ratio = 0, interaction_length = 0
-        integer(c_int) :: interaction = FSTIFF_NO_INTERACTION
-    end type
     type, bind(c) :: fstiff_points
         integer(c_size_t) :: size = 72
         type(c_ptr) :: pressure = c_null_ptr, separation = c_null_ptr, stiffness = c_null_ptr, stiffness_error = c_null_ptr, &
@@ -104,21 +94,28 @@ module fstiff
             FSTIFF_CAUSE_NOISE, FSTIFF_CAUSES
     end enum
     ! heights and options are c_loc of a target, or c_null_ptr; so are face and other of a joint.
+    type, bind(c) :: fstiff_face_errors
+        real(c_double) :: height = 0, gradient = 0, peak_radius = 0, peak_density = 0, fractal_dimension = 0, r = 0, theta = 0
+    end type
     type, bind(c) :: fstiff_face
-        integer(c_size_t) :: size = 128
+        integer(c_size_t) :: size = 216
         type(c_ptr) :: heights = c_null_ptr, options = c_null_ptr
         real(c_double) :: rms_height = 0, mean_height = 0, rms_gradient = 0, profile_gradient = 0, profile_spacing = 0, &
-            alpha = 0, hurst = 0, skewness = 0, kurtosis = 0, peak_radius = 0, peak_density = 0, fractal_dimension = 0
+            alpha = 0, hurst = 0, skewness = 0, kurtosis = 0, peak_radius = 0, peak_density = 0, max_peak_height = 0, r = 0, &
+            theta = 0, fractal_dimension = 0, fractal_roughness = 0
+        type(fstiff_face_errors) :: errors
         integer(c_int) :: process = FSTIFF_PROCESS_UNKNOWN
     end type
     type, bind(c) :: fstiff_solid
         real(c_double) :: youngs_modulus = 0, poisson_ratio = 0, yield_strength = 0, hardness = 0
     end type
     type, bind(c) :: fstiff_joint
-        integer(c_size_t) :: size = 112
+        integer(c_size_t) :: size = 136
         type(c_ptr) :: face = c_null_ptr, other = c_null_ptr
         type(fstiff_solid) :: upper, lower
-        real(c_double) :: nominal_area = 0, seating = 0
+        real(c_double) :: effective_modulus = 0, nominal_area = 0, interaction_length = 0
+        integer(c_int) :: interaction = FSTIFF_NO_INTERACTION, shifts = 0
+        real(c_double) :: seating = 0
         integer(c_int) :: samples = 0, seed = 0
     end type
     type, bind(c) :: fstiff_answer_points
@@ -129,7 +126,7 @@ module fstiff
         integer(c_size_t) :: key_count = 0
         type(c_ptr) :: keys = c_null_ptr, numbers = c_null_ptr
     end type
-    type, bind(c) :: fstiff_curve
+    type, bind(c) :: fstiff_measured_curve
         integer(c_size_t) :: size = 48
         type(c_ptr) :: pressures = c_null_ptr, values = c_null_ptr, errors = c_null_ptr
         integer(c_size_t) :: count = 0
@@ -157,23 +154,11 @@ module fstiff
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
         end function
-        function fstiff_contact_make(law, surface, body, made) bind(c) result(status)
+        function fstiff_contact_make(law, joint, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: law(*)
-            type(fstiff_roughness), intent(in) :: surface
-            type(fstiff_body), intent(in) :: body
+            type(fstiff_joint), intent(in) :: joint
             type(c_ptr), intent(out) :: made
-            integer(c_int) :: status
-        end function
-        function fstiff_sensitivity(law, surface, body, pressure, by_pressure, by_surface, by_body) bind(c) result(status)
-            import
-            character(kind=c_char), intent(in) :: law(*)
-            type(fstiff_roughness), intent(in) :: surface
-            type(fstiff_body), intent(in) :: body
-            real(c_double), value :: pressure
-            real(c_double), intent(out) :: by_pressure
-            type(fstiff_roughness), intent(inout) :: by_surface
-            type(fstiff_body), intent(inout) :: by_body
             integer(c_int) :: status
         end function
         function fstiff_contact_of_scene(text, length, name, law, peaks, made) bind(c) result(status)
@@ -356,23 +341,10 @@ module fstiff
             type(fstiff_surface), intent(inout) :: surface
             integer(c_int) :: status
         end function
-        function fstiff_measured_roughness(surface, roughness) bind(c) result(status)
-            import
-            type(fstiff_surface), intent(in) :: surface
-            type(fstiff_roughness), intent(inout) :: roughness
-            integer(c_int) :: status
-        end function
         ! Options end with c_null_char, and have achar(10) between their lines; heights and curve are c_loc of a target, or c_null_ptr.
         function fstiff_spectrum(heights, options, made) bind(c) result(status)
             import
             type(c_ptr), value :: heights
-            character(kind=c_char), intent(in) :: options(*)
-            type(c_ptr), intent(out) :: made
-            integer(c_int) :: status
-        end function
-        function fstiff_peaks(profile, options, made) bind(c) result(status)
-            import
-            type(c_ptr), value :: profile
             character(kind=c_char), intent(in) :: options(*)
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
@@ -477,13 +449,12 @@ module fstiff
 
 contains
 
-    function fstiff_make_contact(law, surface, body, made) result(status)
+    function fstiff_make_contact(law, joint, made) result(status)
         character(*), intent(in) :: law
-        type(fstiff_roughness), intent(in) :: surface
-        type(fstiff_body), intent(in) :: body
+        type(fstiff_joint), intent(in) :: joint
         type(c_ptr), intent(out) :: made
         integer(c_int) :: status
-        status = fstiff_contact_make(trim(law)//c_null_char, surface, body, made)
+        status = fstiff_contact_make(trim(law)//c_null_char, joint, made)
     end function
 
     function fstiff_contact_from_scene(text, law, peaks, made) result(status)

@@ -74,47 +74,11 @@ FSTIFF_API const char* fstiff_last_message(void);
 
 typedef struct fstiff_contact fstiff_contact;
 
-/** A rough surface in numbers. fstiff_measured_roughness() makes it from a measurement. */
-typedef struct fstiff_roughness {
-    size_t size;              /**< sizeof(fstiff_roughness) */
-    double rms_height;        /**< sigma [m], > 0 */
-    double peak_radius;       /**< R [m], > 0; 0: not known, where rms_gradient is, for "hybrid" and "persson" */
-    double peak_density;      /**< D_p [1/m^2], > 0; 0: as R. What is not known is then what a scene assumes */
-    double max_peak_height;   /**< R_p [m]; 0: not known */
-    double r;                 /**< correlation of heights and curvatures of the peaks, 0 <= r < 1 */
-    double theta;             /**< sampling angle [rad], 0 < theta < pi/2; 0: not known, for laws without joint peaks */
-    double fractal_dimension; /**< D, 1 < D <= 1.99; 0: not known, for laws that do not take it */
-    double rms_gradient;      /**< > 0; 0: not known. Persson's theory and the hybrid law take it */
-    double skewness;          /**< of the heights, -3 to 3; needs the kurtosis. The hybrid law takes both */
-    double kurtosis;          /**< of the heights, 3 of Gaussian ones; 0: not known, taken for Gaussian */
-} fstiff_roughness;
-
-/** Interaction of the peaks: equation (4.11) of the paper, read in two ways. */
-enum { FSTIFF_NO_INTERACTION = 0, FSTIFF_EFFECTIVE_SEPARATION = 1, FSTIFF_INTERACTION_AS_PRINTED = 2 };
-
-/** The two bodies as the contact needs them. */
-typedef struct fstiff_body {
-    size_t size;               /**< sizeof(fstiff_body) */
-    double effective_modulus;  /**< 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [Pa], > 0 */
-    double yield_strength;     /**< of the softer body [Pa]; 0: not known */
-    double hardness;           /**< of the softer body [Pa]; 0: 2.8 times the yield strength where a law needs it */
-    double poisson_ratio;      /**< of the softer body, for laws that yield; 0 is a value */
-    double interaction_length; /**< [m], of an interaction: square root of the nominal area, or 1/sqrt(D_p) */
-    int interaction;           /**< FSTIFF_NO_INTERACTION ... */
-} fstiff_body;
-
-/** A contact of numbers. law: "hertz", "fractal", "fractal_consistent", "greenwood_williamson", "hybrid", "persson",
- * "plastic", "jackson_green", "kogut_etsion"; laws that need a measured map come from a scene. */
-FSTIFF_API int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
-                                   fstiff_contact** made);
-
-/** The derivatives of K under the pressure [Pa], at constant pressure, for a contact that fstiff_contact_make takes: by
- * the pressure (dK/dp [1/m]), and in each member of by_surface and by_body by that member [Pa/m per its unit]; 0 for
- * unknown members. Results may be NULL; both structs have their sizes set. Within 1e-7 K of x dK/dx. */
-FSTIFF_API int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
-                                  double pressure, double* by_pressure, fstiff_roughness* by_surface,
-                                  fstiff_body* by_body);
-
+/** The contact of a joint by one law: contact_of() of C++, to the last digit. law: "hertz", "fractal",
+ * "fractal_consistent", "greenwood_williamson", "hybrid", "persson", "plastic", "plastic_peaks", "jackson_green",
+ * "kogut_etsion", "proportional", or, of the heights of a map, "summits" and "boundary_elements". What the joint does
+ * not give is assumed as in fstiff_answer(), but for the hardness of a law that yields. */
+FSTIFF_API int fstiff_contact_make(const char* law, const fstiff_joint* joint, fstiff_contact** made);
 /** A contact of the text of a scene (docs/scene.md), length bytes of TOML: entry `law` of contact.laws and entry
  * `peaks` of the distributions of peaks, both counted from 0; `peaks` is 0 for a law without joint peaks. name is the
  * name of the text in messages, and files that it names are searched in its folder; NULL: "scene" in the current
@@ -305,14 +269,12 @@ typedef struct fstiff_surface {
 } fstiff_surface;
 
 /** Heights [m] at equal spacing [m]; NaN marks a missing point. options NULL: the defaults. surface->size must be set.
- * */
+ * A joint takes the heights themselves (fstiff_face). */
 FSTIFF_API int fstiff_measure_profile(const double* heights, size_t count, double spacing,
                                       const fstiff_measure_options* options, fstiff_surface* surface);
 /** Heights [m] row after row, each of `columns` points along x, dx apart; rows dy apart. */
 FSTIFF_API int fstiff_measure_map(const double* heights, size_t rows, size_t columns, double dx, double dy,
                                   const fstiff_measure_options* options, fstiff_surface* surface);
-/** Input of fstiff_contact_make from a measurement. Both sizes must be set. */
-FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness);
 
 /* ---- What the other commands compute, as documents ---- */
 
@@ -323,23 +285,19 @@ FSTIFF_API int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_r
 typedef struct fstiff_document fstiff_document;
 
 /** A measured curve. Where a function takes NULL in its place, an option names the file. */
-typedef struct fstiff_curve {
-    size_t size;             /**< sizeof(fstiff_curve) */
+typedef struct fstiff_measured_curve {
+    size_t size;             /**< sizeof(fstiff_measured_curve) */
     const double* pressures; /**< [Pa], > 0 */
     const double* values;    /**< K [Pa/m], > 0, or |R| */
     const double* errors;    /**< their standard errors; NULL: not known */
     size_t count;
     int is_reflection; /**< 1: the values are |R|; 0: K */
-} fstiff_curve;
+} fstiff_measured_curve;
 
 /** Power spectral density or autocorrelation. Options: of, taper, file and all of `fstiff measure --show spectrum`
  * that read a surface. Numbers: "psd.wavenumber_rad_per_m", "psd.psd_m3" of a profile, "psd.psd_m4" of a map,
  * "acf.lag_m", "acf.acf" ... */
 FSTIFF_API int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_document** made);
-/** Density of peak heights and curvatures. Options: r and theta, or theta and exponential = true, or rho1 and rho2, or
- * a profile with the options that read it; heights = FROM,TO,COUNT. Numbers: "r", "theta", "mean_height",
- * "heights.density" ... */
-FSTIFF_API int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made);
 /** A surface of known D or H. Options: kind (wm, profile, map), spacing, points, rows, hurst, rms, dimension,
  * roughness, gamma, longest, shortest, long_waves, seed; format of the text. Numbers: "heights_m", row after row,
  * "rows", "columns", "dx_m", "dy_m". The text is the file that the command writes. */
@@ -348,7 +306,7 @@ FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
  * number or the name of a file); reflection_error; film_stiffness; frequency; impedance, or density and velocity; the
  * same with 2 for the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve
  * "rows.0.stiffness_Pa_per_m", "rows.1..." */
-FSTIFF_API int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made);
+FSTIFF_API int fstiff_ultrasound(const fstiff_measured_curve* curve, const char* options, fstiff_document** made);
 /** The answer of a scene, `length` bytes of TOML (NULL, of length 0: the built-in scene), and the laws that it names.
  * name is as in fstiff_contact_of_scene(). Options: surface, a file in place of the scene's [surface]. Numbers:
  * "answer.*.pressure_Pa", "answer.*.stiffness_Pa_per_m", the ends of its 90 % band "answer.*.stiffness_p05_Pa_per_m"
@@ -361,7 +319,7 @@ FSTIFF_API int fstiff_run(const char* scene, size_t length, const char* name, co
 /** Parameters of a scene, as fstiff_run() takes it, from a measured curve. Options: fit, the names of the parameters
  * with commas between them; law; wave; measured, the file of the curve. Numbers: "fits.0.parameters.0.value",
  * "fits.0.chi_squared", "fits.0.covariance" ... */
-FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve,
+FSTIFF_API int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_measured_curve* curve,
                                const char* options, fstiff_document** made);
 /** The law of a scene (as above) for a finite-element program: its text is the file. Options: to (calculix, abaqus,
  * moose, comsol, law), units, tolerance, from, until, law, peaks, at. It has no numbers. */

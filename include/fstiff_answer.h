@@ -37,6 +37,15 @@ enum {
     FSTIFF_PROCESS_ERODED = 8
 };
 
+/** Standard errors of numbers of a face; 0: that of the measurement, or none. */
+typedef struct fstiff_face_errors {
+    double height;                    /**< of rms_height or mean_height [m] */
+    double gradient;                  /**< of the one that is given; of profile_spacing [m] */
+    double peak_radius, peak_density; /**< [m], [1/m^2] */
+    double fractal_dimension;
+    double r, theta; /**< theta [rad] */
+} fstiff_face_errors;
+
 /** A rough face: heights, which the call measures as `fstiff measure` does, or numbers, or both: a number that is given
  * takes the place of what is measured. One that is neither (0) is assumed, with a range that is in the band. */
 typedef struct fstiff_face {
@@ -52,8 +61,13 @@ typedef struct fstiff_face {
     double hurst;                                 /**< above 0, at most 1 */
     double skewness, kurtosis;                    /**< of the heights; kurtosis 0: neither is given */
     double peak_radius, peak_density;             /**< R [m], D_p [1/m^2] */
-    double fractal_dimension;                     /**< D of a profile, 1 < D <= 1.99 */
-    int process;                                  /**< FSTIFF_PROCESS_... */
+    double max_peak_height;                       /**< R_p [m] */
+    double r;                 /**< correlation of heights and curvatures of the peaks, 0 <= r < 1; with theta */
+    double theta;             /**< sampling angle [rad], 0 < theta < pi/2 */
+    double fractal_dimension; /**< D of a profile, 1 < D <= 1.99 */
+    double fractal_roughness; /**< G [m] */
+    fstiff_face_errors errors;
+    int process; /**< FSTIFF_PROCESS_... */
 } fstiff_face;
 
 /** A body: E [Pa] and nu; yield strength and hardness [Pa], 0 where they are not known. */
@@ -61,16 +75,24 @@ typedef struct fstiff_solid {
     double youngs_modulus, poisson_ratio, yield_strength, hardness;
 } fstiff_solid;
 
+/** Interaction of the peaks: equation (4.11) of the paper, read in two ways. */
+enum { FSTIFF_NO_INTERACTION = 0, FSTIFF_EFFECTIVE_SEPARATION = 1, FSTIFF_INTERACTION_AS_PRINTED = 2 };
+
 /** Two bodies, and the rough faces between them. */
 typedef struct fstiff_joint {
     size_t size;              /**< sizeof(fstiff_joint) */
     const fstiff_face* face;  /**< of one body */
     const fstiff_face* other; /**< of the other; NULL: it is smooth */
     fstiff_solid upper, lower;
-    double nominal_area; /**< [m^2]; 0: not known */
-    double seating;      /**< the approach is 0 at this pressure [Pa]; 0: 1 kPa */
-    int samples;         /**< surfaces drawn for the band, from 20 to 100000; 0: 400; -1: none */
-    unsigned int seed;   /**< of them; 0: 2014 */
+    double effective_modulus;  /**< 1/((1-nu1^2)/E1 + (1-nu2^2)/E2) [Pa], in place of the elastic constants: `upper` has
+                                    the rest of the softer body then; 0: that of the constants */
+    double nominal_area;       /**< [m^2]; 0: not known */
+    double interaction_length; /**< [m], of an interaction: square root of the nominal area, or 1/sqrt(D_p) */
+    int interaction;           /**< FSTIFF_NO_INTERACTION ..., for fstiff_contact_make() */
+    int shifts;                /**< of the map of the other face over that of the first, where both are maps; 0: 4 */
+    double seating;            /**< the approach of an answer is 0 at this pressure [Pa]; 0: 1 kPa */
+    int samples;               /**< surfaces drawn for the band of an answer, from 20 to 100000; 0: 400; -1: none */
+    unsigned int seed;         /**< of them; 0: 2014 */
 } fstiff_joint;
 
 /** Causes of a band, in the order of their shares in a row of fstiff_answer_points.causes. */

@@ -98,32 +98,6 @@ def plux():
     return archive([("index.xml", index), ("LAYER_0.raw", struct.pack("<12f", *heights(float("nan"))))])
 
 
-def triangles():
-    """Two of every cell, without those at row 1, column 2, so that row 0, column 3 is missing too; steps 0.5 and 0.25,
-    rows from the lowest y."""
-    for row in range(ROWS - 1):
-        for column in range(COLUMNS - 1):
-            a, b, c, d = ((row + i, column + j) for i in (0, 1) for j in (0, 1))
-            yield from (one for one in ((a, b, c), (b, c, d)) if (1, 2) not in one)
-
-
-def corner(at):
-    return 0.5 * at[1], 0.25 * at[0], 10 * at[0] + at[1] ** 2
-
-
-def stl():
-    body = b"".join(struct.pack("<12fH", 0, 0, 1, *(x for at in one for x in corner(at)), 0) for one in triangles())
-    return placed(84, (0, "7s", b"a plate"), (80, "<I", len(body) // 50)) + body
-
-
-def stl_text():
-    text = "solid plate\n"
-    for one in triangles():
-        text += "facet normal 0 0 1\n outer loop\n"
-        text += "".join("  vertex {} {} {}\n".format(*corner(at)) for at in one) + " endloop\nendfacet\n"
-    return (text + "endsolid plate\n").encode()
-
-
 def padded(data):
     return data + bytes(-len(data) % 4)
 
@@ -209,7 +183,7 @@ def opdx(profile=False):
 
 FILES = {"metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "opd/map.opd": opd,
          "opd/real.opd": lambda: opd(4), "al3d/map.al3d": al3d, "plu/map.plu": plu, "plux/map.plux": plux,
-         "stl/map.stl": stl, "stl/text.stl": stl_text, "netcdf/map.nc": netcdf,
+         "netcdf/map.nc": netcdf,
          "netcdf/profile.nc": lambda: netcdf((("x", 20, 10.0),)), "opdx/map.opdx": opdx,
          "opdx/profile.opdx": lambda: opdx(True)}
 

@@ -83,18 +83,19 @@ static point at_overclosure(const double* props, double overclosure) {
 /* The law of the same properties by the C interface, lengths times `length`, pressures times `pressure`. */
 static fstiff_law* law_in(const double* props, double length, double pressure) {
     static const char* const names[] = {"hertz", "fractal_consistent", "hybrid", "plastic_peaks"};
-    fstiff_roughness surface = {.size = sizeof surface,
-                                .rms_height = props[1] * length,
-                                .peak_radius = props[2] * length,
-                                .peak_density = props[3] / length / length,
-                                .r = props[4],
-                                .theta = props[5],
-                                .fractal_dimension = props[6],
-                                .rms_gradient = props[7]};
-    fstiff_body body = {.size = sizeof body, .effective_modulus = props[8] * pressure, .hardness = props[9] * pressure};
+    fstiff_face face = {.size = sizeof face,
+                        .rms_height = props[1] * length,
+                        .peak_radius = props[2] * length,
+                        .peak_density = props[3] / length / length,
+                        .r = props[4],
+                        .theta = props[5],
+                        .fractal_dimension = props[6],
+                        .rms_gradient = props[7]};
+    fstiff_joint joint = {.size = sizeof joint, .face = &face, .effective_modulus = props[8] * pressure};
+    joint.upper.hardness = props[9] * pressure;
     fstiff_contact* contact = NULL;
     fstiff_law* law = NULL;
-    if (fstiff_contact_make(names[(int)props[0] - 1], &surface, &body, &contact) != FSTIFF_OK ||
+    if (fstiff_contact_make(names[(int)props[0] - 1], &joint, &contact) != FSTIFF_OK ||
         fstiff_law_make(contact, props[10] * pressure, props[11] * pressure, FSTIFF_OUTSIDE_EXTRAPOLATE, &law) !=
             FSTIFF_OK)
         check(0, fstiff_last_message(), props[0]);

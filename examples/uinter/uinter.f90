@@ -220,8 +220,8 @@ contains
     subroutine make_law(made)
         type(known_law), intent(inout) :: made
         type(c_ptr) :: contact
-        type(fstiff_roughness) :: surface
-        type(fstiff_body) :: body
+        type(fstiff_face), target :: face
+        type(fstiff_joint) :: joint
         character(18), parameter :: names(4) = [character(18) :: "hertz", "fractal_consistent", "hybrid", "plastic_peaks"]
         integer(c_int) :: status
         integer :: number
@@ -232,10 +232,10 @@ contains
             return
         end if
         associate (props => made%props)
-            surface = fstiff_roughness(rms_height=props(2), peak_radius=props(3), peak_density=props(4), r=props(5), &
+            face = fstiff_face(rms_height=props(2), peak_radius=props(3), peak_density=props(4), r=props(5), &
                 theta=props(6), fractal_dimension=props(7), rms_gradient=props(8))
-            body = fstiff_body(effective_modulus=props(9), hardness=props(10))
-            status = fstiff_make_contact(trim(names(number)), surface, body, contact)
+            joint = fstiff_joint(face=c_loc(face), upper=fstiff_solid(hardness=props(10)), effective_modulus=props(9))
+            status = fstiff_make_contact(trim(names(number)), joint, contact)
             if (status == FSTIFF_OK) &
                 status = fstiff_law_make(contact, props(11), props(12), FSTIFF_OUTSIDE_EXTRAPOLATE, made%law)
             if (status == FSTIFF_OK .and. abs(props(14)) > 0) &

@@ -15,6 +15,7 @@
 #include <fstiff/core/version.hpp>
 #include <fstiff/math/chebyshev.hpp>
 #include <fstiff/math/decompositions.hpp>
+#include <fstiff/math/difference.hpp>
 #include <fstiff/math/double_exponential.hpp>
 #include <fstiff/math/fft.hpp>
 #include <fstiff/math/fft_of_lines.hpp>
@@ -45,7 +46,6 @@
 #include <fstiff/surface/spectrum.hpp>
 #include <fstiff/surface/structure_coefficient.hpp>
 #include <fstiff/surface/sum_of_faces.hpp>
-#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/fractal_result.hpp>
@@ -124,7 +124,6 @@
 #include <fstiff/contact/persson_contact.hpp>
 #include <fstiff/contact/plastic_contact.hpp>
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/contact/similar_hybrids.hpp>
 #include <fstiff/contact/slope_contact.hpp>
 #include <fstiff/contact/summit_contact.hpp>
@@ -159,7 +158,6 @@
 #include <fstiff/measure/uncertain_surface.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <fstiff/identify/concerns.hpp>
-#include <fstiff/identify/differences.hpp>
 #include <fstiff/identify/fit_problem.hpp>
 #include <fstiff/identify/identify.hpp>
 #include <fstiff/answer/answer.hpp>

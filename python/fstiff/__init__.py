@@ -25,14 +25,14 @@ from ._integrals import Estimate, peak_integral
 from ._measured_curves import Identification, Ultrasound, identify, ultrasound
 from ._report import report
 from ._scenes import Curves, Export, Scene, export, run
-from ._spectra import Peaks, Spectrum, generate, peaks, spectrum
+from ._spectra import Spectrum, generate, spectrum
 from ._surfaces import Fit, Islands, Measurement, Parameter, Scales, Surface, Truth, fit, islands, measure, open_surface, truth
 from ._sweeps import sweep
 
 __all__ = [
     "Answer", "Contact", "Curves", "Estimate", "Export", "FileError", "Fit", "Identification", "Islands", "Law", "Measurement",
-    "Parameter", "Peaks", "Points", "Scales", "Scene", "Spectrum", "Surface", "Truth", "Ultrasound", "__version__",
+    "Parameter", "Points", "Scales", "Scene", "Spectrum", "Surface", "Truth", "Ultrasound", "__version__",
     "answer", "effective_modulus", "export", "fit", "generate", "hybrid", "identify", "islands", "law_names", "measure",
-    "open_surface", "peak_integral", "peaks", "report", "run", "spectrum", "spot_conductance", "sweep", "tangential_ratio", "truth",
+    "open_surface", "peak_integral", "report", "run", "spectrum", "spot_conductance", "sweep", "tangential_ratio", "truth",
     "ultrasound",
 ]  # fmt: skip

@@ -171,7 +171,7 @@ class Contact(Shown):
     def sensitivity(self, pressure: float) -> dict[str, float]:
         """dK/dx [Pa/m per SI unit of x] at constant `pressure` [Pa], for "pressure" and each number that the contact was made of.
 
-        Differences of six points, within 1e-7 K of x dK/dx. A contact of a measured surface or of a scene raises ValueError.
+        Differences, within 1e-7 K of x dK/dx. A contact of a measured surface or of a scene raises ValueError.
         """
         make, arguments = self._recipe
         if make is not _remade or arguments[3] is not None:

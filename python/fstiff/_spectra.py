@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spectra, densities of peaks, and surfaces of known D or H."""
+"""Spectra, and surfaces of known D or H."""
 
 from __future__ import annotations
 
@@ -42,20 +42,6 @@ class Spectrum(Document):
         )
 
 
-class Peaks(Document):
-    """The density of peak heights and curvatures: the keys of the JSON of `fstiff measure --show peaks`."""
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """The density of the height alone, where `heights` asked for it."""
-        if "heights" not in self:
-            raise ValueError('heights: must be given to peaks(), such as "-4,4,81"')
-        return frame(dict(self["heights"]))
-
-    def __repr__(self) -> str:
-        numbers = ("r", "theta", "peak_ratio", "mean_height", "height_variance")
-        return f"<fstiff.Peaks from {self['from']}: " + ", ".join(f"{key} = {shown(self[key], 5)}" for key in numbers) + ">"
-
-
 @of_any_form
 def spectrum(
     surface: Source,
@@ -69,32 +55,6 @@ def spectrum(
     `taper` is the window of a psd, "none" for a surface that repeats itself. `surface` and `options` are those of measure().
     """
     return Spectrum(_core.spectrum(*one_source(**locals())))
-
-
-def peaks(
-    profile: Source | None = None,
-    *,
-    r: float | None = None,
-    theta: float | str | None = None,
-    exponential: bool = False,
-    rho1: float | None = None,
-    rho2: float | None = None,
-    heights: str | tuple[float, float, int] | None = None,
-    **options: Unpack[SurfaceOptions],
-) -> Peaks:
-    """The density of peak heights and curvatures, its moments and the density of the height alone, as `fstiff measure --show peaks` gives them.
-
-    profile       as the surface of measure(), with its `options`; or one of:
-    r, theta      correlation of heights and curvatures, and the angle of the sampling [rad], or a text such as "pi/4"
-    exponential   with theta: r is that of an exponential autocorrelation
-    rho1, rho2    autocorrelation at one sampling step and at two
-    heights       (from, to, count), in rms heights: where the density of the height is computed
-    """
-    rest = heights if heights is None or isinstance(heights, str) else ",".join(repr(one) for one in heights)
-    own = {"r": r, "theta": theta, "exponential": exponential, "rho1": rho1, "rho2": rho2, "heights": rest}
-    if profile is None:
-        return Peaks(_core.peaks(options_of({**options, **own}), None))
-    return Peaks(_core.peaks(*one_source(profile, options, **own)))
 
 
 def generate(

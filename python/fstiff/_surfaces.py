@@ -651,12 +651,11 @@ def fit(
     convention: Literal["exact", "paper", "majumdar_tien"] | None = None,
     resamples: int | None = None,
     seed: int | None = None,
-    all_lags: bool = False,
     **options: Unpack[SurfaceOptions],
 ) -> Fit:
     """Fractal dimension D and roughness G [m] of a profile or a map, with errors, as `fstiff measure --show fit` finds them.
 
-    `convention` is the constant of eq. (2.4) that gives G; `all_lags` computes the structure function of a profile at every lag;
+    `convention` is the constant of eq. (2.4) that gives G;
     the other arguments are those of measure().
     """
     return Fit(_core.fit(*one_source(**locals())))

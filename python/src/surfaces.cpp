@@ -6,7 +6,6 @@
 #include "actions/generate.hpp"
 #include "actions/islands.hpp"
 #include "actions/measure.hpp"
-#include "actions/peak_density.hpp"
 #include "actions/scales.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/truth.hpp"
@@ -229,7 +228,6 @@ void add_surfaces(nb::module_& m) {
     m.def("fit", &answered<actions::FractalOptions>, nb::arg("options"), nb::arg("heights"));
     m.def("islands", &answered<actions::IslandsRequest>, nb::arg("options"), nb::arg("heights"));
     m.def("spectrum", &answered<actions::SpectrumRequest>, nb::arg("options"), nb::arg("heights"));
-    m.def("peaks", &answered<actions::PeakDensityRequest>, nb::arg("options"), nb::arg("heights").none());
     m.def("generate", &generated, nb::arg("options"));
     m.def("truth", &truth, nb::arg("options"), nb::arg("heights"), nb::arg("pressures"), nb::arg("modulus"));
     m.def(

@@ -8,7 +8,6 @@
 
 #include <fstiff/measure/concerns.hpp>
 #include <fstiff/measure/sections.hpp>
-#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/topography/areal_statistics.hpp>
 
 #include <cmath>
@@ -247,7 +246,7 @@ Document of_profile(const FractalOptions& options, const SurfaceInput& input) {
     document.line("  " + errors_line(options, fit));
     add_others(document, result);
     document.line();
-    document.table(lag_rows(fit, result.structure), {.key = "structure_function", .thinned = "lags"});
+    document.table(lag_rows(fit, fit.structure_function), {.key = "structure_function", .thinned = "lags"});
     document.notes = {note_of(fit)};
     document.warnings = warnings_of(options, result);
     add_reading(document, input, "their pairs are left out", levelled.rms_gradient);
@@ -292,9 +291,6 @@ DirectionalFit<double> directions_of(const FractalOptions& options, const Prepar
 }
 
 Document of_map(const FractalOptions& options, SurfaceInput& input) {
-    if (options.all_lags)
-        throw document::option_error(options.surface.name("all_lags") +
-                                     " is for profiles; must not be given for a map");
     const PreparedMap<double> levelled = level_map_of(options.surface, input);
     const DirectionalFit<double> fit = directions_of(options, levelled);
     Document document = begun(options, input, "the map ", surface::form_name(levelled));
@@ -365,8 +361,6 @@ ProfileFractal fractal_of_profile(const FractalOptions& options, const SurfaceIn
     });
     result.no_moments = detail::fit_or_reason(result.moments, [&] { return detail::spectral_moments(profile); });
     result.no_peaks = detail::fit_or_reason(result.peaks, [&] { return peak_statistics(profile); });
-    result.structure = options.all_lags ? detail::structure_function_at_all_lags(result.levelled.of_structure())
-                                        : result.fit.structure_function;
     return result;
 }
 

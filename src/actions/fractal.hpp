@@ -25,7 +25,6 @@ struct FractalOptions {
     StructureConvention convention = StructureConvention::exact;
     std::uint64_t seed = FractalFitOptions<double>{}.seed;
     int resamples = FractalFitOptions<double>{}.resamples;
-    bool all_lags = false;    ///< the structure function of a profile at every lag
     ProgressHook progress{};  ///< called while the bootstrap draws
 
     template <class Take>
@@ -37,7 +36,6 @@ struct FractalOptions {
              {.help = "number of resamples of the bootstrap; the default is 200, and 0 leaves the bootstrap out",
               .low = 0,
               .high = 100000});
-        take("all_lags", all_lags, {"compute the structure function at every lag (profiles only)"});
     }
 };
 
@@ -49,7 +47,6 @@ struct ProfileFractal {
     std::optional<SpectralMoments<double>> moments;
     std::optional<PeakStatistics<double>> peaks;
     std::string no_spectrum, no_moments, no_peaks;
-    StructureFunction<double> structure;  ///< that is shown
 };
 
 /// \throws domain_error for a window, a tip radius or a resolution that is not a length.

@@ -33,6 +33,14 @@ using detail::dimensionless_pressure, detail::Face, detail::Law, detail::Resolve
 
 namespace {
 
+/// A measured curve and how it is fitted.
+struct FitInputs {
+    const std::vector<Observation<double>>& data;
+    const std::vector<Parameter>& parameters;
+    ContactParameters<double> start;
+    IdentifyOptions<double> options;
+};
+
 std::vector<Observation<double>> observations(const MeasuredCurve& curve, const std::vector<MeasuredPoint>& points) {
     std::vector<Observation<double>> data;
     for (const MeasuredPoint& point : points) {
@@ -147,12 +155,10 @@ std::vector<double> at_many(std::span<const double> pressures, const Stiffness& 
     return stiffness;
 }
 
-Identification<double> found_by(const ResolvedJoint& problem, const Fit& fit, const detail::FitInputs& inputs) {
-    const bool exact = !of_spectrum(inputs.parameters) && !has(inputs.parameters, Parameter::hardness) &&
-                       inputs.data.size() <= detail::many_points;
-    if (exact && detail::has_exact_fit(fit.law->which)) return fit_exactly(fit.law->which, inputs);
-    return fit_curve(inputs, [&, lean = lean_problem(problem, fit)](const ContactParameters<double>& x,
-                                                                    std::span<const double> pressures) {
+Identification<double> found_by(const ResolvedJoint& problem, const Fit& fit, const FitInputs& inputs) {
+    const ResolvedJoint lean = lean_problem(problem, fit);
+    const detail::CurveOfParameters<double> curve = [&](const ContactParameters<double>& x,
+                                                        std::span<const double> pressures) {
         const auto at = [&](std::span<const double> some) {
             std::vector<double> stiffness;
             for (const auto& point : points_with(lean, *fit.law, x, inputs.parameters, some))
@@ -161,7 +167,8 @@ Identification<double> found_by(const ResolvedJoint& problem, const Fit& fit, co
             return stiffness;
         };
         return pressures.size() > detail::many_points ? at_many(pressures, at) : at(pressures);
-    });
+    };
+    return detail::identify_curve(inputs.data, inputs.parameters, inputs.start, curve, inputs.options);
 }
 
 /// \p point with K times \p factor, and the reflection of that.
@@ -177,7 +184,7 @@ Observation<double> scaled(Observation<double> point, double factor,
 
 /// Puts into \p fit the intervals that are widened by squares by what the fits find where K of the law is at either end
 /// of its error, which is on one side of K at all pressures.
-void widen_by_law(const ResolvedJoint& problem, Fit& fit, detail::FitInputs inputs) try {
+void widen_by_law(const ResolvedJoint& problem, Fit& fit, FitInputs inputs) try {
     constexpr double wider = math::normal_975<double>.value / math::normal_95<double>.value;  // 95 % instead of 90 %
     inputs.start = fit.found.optimum, inputs.options.search.max_iterations = 30;
     ResolvedJoint fitted = lean_problem(problem, fit);
@@ -258,8 +265,8 @@ std::vector<Fit> fits_of(const Scene& scene, const MeasuredCurve& curve, const F
         if (!law->has_peaks) add(scene.joint.peaks.empty() ? nullptr : &scene.joint.peaks.front());
     }
     if (fits.empty())
-        throw domain_error(scene.file + ": contact.laws: must name " + document::list_of(detail::fitted_law_names()) +
-                           "; " + skipped + " is too slow to fit");
+        throw domain_error(scene.file + ": contact.laws: must name " + document::list_of(fitted_law_names()) + "; " +
+                           skipped + " is too slow to fit");
     if (std::erase_if(fits, [](const Fit& fit) { return fit.points.empty(); }) > 0 && fits.empty())
         throw domain_error(curve.name + ": holds " + std::to_string(curve.computed.size()) +
                            " computed curves, none of a law and peaks of " + scene.file +
@@ -359,7 +366,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     options.wave = fits.wave;
     for (Fit& fit : fits.fits) {
         const auto data = observations(curve, fit.points);
-        const detail::FitInputs inputs{data, request.wanted, fit.start, options};
+        const FitInputs inputs{data, request.wanted, fit.start, options};
         detail::located(Place{.file = curve.name + " with " + scene.file + ", " + title(fit)}, [&] {
             fit.found = found_by(scene.joint, fit, inputs);
             widen_by_law(scene.joint, fit, inputs);

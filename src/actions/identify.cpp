@@ -7,6 +7,7 @@
 #include "io/number.hpp"
 
 #include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/laws.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 
@@ -235,6 +236,13 @@ void add_fit(document::Document& document, const Identified& identified, const F
 }
 
 }  // namespace
+
+std::vector<std::string_view> fitted_law_names() {
+    std::vector<std::string_view> names;
+    for (const ChosenLaw& law : detail::all_laws())
+        if (law.row().varies) names.push_back(law.row().name);
+    return names;
+}
 
 std::string sentence(const Fit& fit, const detail::FitFinding<double>& finding) {
     const std::string names = names_of(finding.parameters);

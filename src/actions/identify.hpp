@@ -7,7 +7,6 @@
 #include "scene/scene.hpp"
 #include "surface/surface_option_table.hpp"
 
-#include <fstiff/answer/law_fits.hpp>
 #include <fstiff/identify/concerns.hpp>
 #include <fstiff/identify/identify.hpp>
 
@@ -19,6 +18,9 @@
 #include <vector>
 
 namespace fstiff::actions {
+
+/// The laws that can be fitted.
+[[nodiscard]] std::vector<std::string_view> fitted_law_names();
 
 /// The kind of wave whose reflections were measured.
 enum class WaveKind { longitudinal, shear };
@@ -61,7 +63,7 @@ struct IdentifyRequest {
               .type = "NAME,..."});
         take("law", law,
              {.help = "law to fit; the default is contact.laws or, without it, plastic or hybrid",
-              .words = detail::fitted_law_names()});
+              .words = fitted_law_names()});
         take("wave", wave,
              {"kind of wave whose reflection coefficients were measured: longitudinal (default) or shear"});
     }

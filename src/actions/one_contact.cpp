@@ -8,6 +8,7 @@
 #include <fstiff/answer/resolve.hpp>
 #include <fstiff/answer/resolved_joint.hpp>
 #include <fstiff/answer/unknowns.hpp>
+#include <fstiff/math/difference.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +73,8 @@ double difference(const Number& number, double x, const F& f) {
                 12 * f(x + 5 * h)) /
                (60 * h);
     }
-    const double scale = x == 0 ? 1 : std::abs(x), h = 2e-3 * std::min({scale, x - number.low, number.high - x});
-    return (45 * (f(x + h) - f(x - h)) - 9 * (f(x + 2 * h) - f(x - 2 * h)) + (f(x + 3 * h) - f(x - 3 * h))) / (60 * h);
+    const double scale = x == 0 ? 1 : std::abs(x), h = 4e-3 * std::min({scale, x - number.low, number.high - x});
+    return math::central_difference([&](double change) { return f(x + change); }, h);
 }
 
 /// \p joint resolved; its one body has no name in refusals.
@@ -89,11 +90,15 @@ detail::ResolvedJoint problem_of_one(const Joint& joint) {
 
 }  // namespace
 
+const ChosenLaw& law_called(const std::string& name) {
+    for (const ChosenLaw& law : detail::all_laws())
+        if (law.row().name == name) return law;
+    throw domain_error("law = \"" + name.substr(0, 40) + "\": must be one of " +
+                       document::list_and_suggestion(name, detail::law_names()));
+}
+
 OneContact make_contact(const std::string& law, Joint joint, const ProgressHook& progress) {
-    const detail::Law* const named = detail::find_law(law);
-    if (!named)
-        throw domain_error("law = \"" + law.substr(0, 40) + "\": must be one of " +
-                           document::list_and_suggestion(law, detail::law_names()));
+    const detail::Law* const named = &law_called(law).row();
     const std::string name = "law " + law + ": needs ";
     if (named->needs_yield && std::isnan(joint.upper.elastic.poisson_ratio)) throw domain_error(name + "poisson_ratio");
     const bool has_radius = joint.face.measured || (joint.face.peak_radius && joint.face.peak_density);

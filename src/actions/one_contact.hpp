@@ -19,11 +19,13 @@ public:
 };
 
 struct OneContact {
-    std::shared_ptr<const detail::ResolvedJoint> problem;  ///< what the contact was made of lives as long as it
+    std::shared_ptr<const detail::ResolvedJoint> problem{};  ///< what the contact was made of lives as long as it
     const detail::Law* law = nullptr;
     std::shared_ptr<const AnyContact> contact;
 };
 
+/// The law called \p name. \throws domain_error with those that there are.
+[[nodiscard]] const ChosenLaw& law_called(const std::string& name);
 /// The contact of \p joint with the law called \p law, which takes no peaks but those that were measured or given,
 /// and Gaussian heights where R and D_p are given and their shape is not.
 /// \p progress is called while the law is prepared, where that takes long.
@@ -35,7 +37,7 @@ struct OneContact {
                                       const ProgressHook& progress = {});
 
 /// dK/dx [Pa/m per unit of x] under the pressure \p pressure [Pa], held, of "pressure" and of each number x of the face
-/// and of the upper body of \p joint that is known, by its name. By differences of six points: within 1e-7 K of x dK/dx
+/// and of the upper body of \p joint that is known, by its name. By differences: within 1e-7 K of x dK/dx
 /// (tests/scene/one_contact_test.cpp).
 /// \throws domain_error as contact_of, and for a pressure that the law does not reach.
 [[nodiscard]] std::map<std::string, double> sensitivity_of(const std::string& law, Joint joint, double pressure);

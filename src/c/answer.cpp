@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The answer of a joint.
+#include "c/joint.hpp"
 #include "c/law.hpp"
-#include "c/measure.hpp"
 #include "scene/scene.hpp"
 
 #include <fstiff/answer.hpp>
@@ -21,37 +21,6 @@ namespace {
 
 static_assert(FSTIFF_CAUSES == detail::cause_count);
 static_assert(FSTIFF_CAUSE_LAY == static_cast<int>(Cause::lay) && FSTIFF_CAUSE_NOISE == static_cast<int>(Cause::noise));
-static_assert(FSTIFF_PROCESS_ERODED == static_cast<int>(Process::eroded));
-
-JointFace face_of(const fstiff_face* given, const char* name) {
-    const fstiff_face from = taken(given, name);
-    if (from.process < FSTIFF_PROCESS_UNKNOWN || from.process > FSTIFF_PROCESS_ERODED)
-        refuse_argument("process", from.process, "one of FSTIFF_PROCESS_...");
-    JointFace face{.rms_height = known(from.rms_height),
-                   .mean_height = known(from.mean_height),
-                   .rms_gradient = known(from.rms_gradient),
-                   .profile_gradient = known(from.profile_gradient),
-                   .profile_spacing = known(from.profile_spacing),
-                   .alpha = known(from.alpha),
-                   .hurst = known(from.hurst),
-                   .peak_radius = known(from.peak_radius),
-                   .peak_density = known(from.peak_density),
-                   .fractal_dimension = known(from.fractal_dimension),
-                   .process = static_cast<Process>(from.process)};
-    take_shape(from.skewness, from.kurtosis, face);
-    if (!from.heights) return face;
-    surface::MeasureOptions options = options_of(from.options);
-    options.neighbours = true;
-    const auto input = input_of(options.input, taken(from.heights, "heights"));
-    face.measured = measured_face(measure_surface(options, input).found);
-    return face;
-}
-
-Body body_of(const fstiff_solid& from) {
-    return {.elastic = {from.youngs_modulus, from.poisson_ratio},
-            .yield_strength = known(from.yield_strength),
-            .hardness = known(from.hardness)};
-}
 
 /// The numbers that go into the arrays of \p to, where they are not NULL; NaN: none.
 struct Output {
@@ -104,17 +73,12 @@ Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t
     const fstiff_joint from = taken(joint, "joint");
     require_array(pressures, count, "pressures");
     if (from.samples < -1) refuse_argument("samples", from.samples, "-1, 0, or from 20 to 100000");
-    Joint assembly{.face = face_of(from.face, "face"),
-                   .upper = body_of(from.upper),
-                   .lower = body_of(from.lower),
-                   .nominal_area = known(from.nominal_area)};
-    if (from.other) assembly.other = face_of(from.other, "other");
     AnswerOptions options;
     if (!whole) options.quantities = {"stiffness", "loading_stiffness", "tangential_stiffness"};
     if (from.samples != 0) options.samples = from.samples < 0 ? 0 : from.samples;
     if (from.seed != 0) options.seed = from.seed;
     if (from.seating != 0) options.seating = from.seating;
-    return answer(assembly, std::span(pressures, count), options);
+    return answer(joint_of(from, true), std::span(pressures, count), options);
 }
 
 }  // namespace

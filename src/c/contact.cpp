@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contacts of numbers and of scenes, and their points.
+// Contacts of joints and of scenes, and their points.
 #include "c/contact.hpp"
-#include "c/measure.hpp"
+#include "c/joint.hpp"
+
+#include <fstiff/answer.hpp>
+#include <fstiff/answer/laws.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,26 +17,6 @@
 
 namespace fstiff::c {
 namespace {
-
-Joint joint_of(const fstiff_roughness& surface, const fstiff_body& body) {
-    if (body.interaction < FSTIFF_NO_INTERACTION || body.interaction > FSTIFF_INTERACTION_AS_PRINTED)
-        refuse_argument("interaction", body.interaction, "FSTIFF_NO_INTERACTION or one of the two readings");
-    Joint joint{.face = {.rms_height = surface.rms_height,
-                         .rms_gradient = known(surface.rms_gradient),
-                         .peak_radius = known(surface.peak_radius),
-                         .peak_density = known(surface.peak_density),
-                         .max_peak_height = known(surface.max_peak_height),
-                         .theta = known(surface.theta),
-                         .fractal_dimension = known(surface.fractal_dimension)},
-                .upper = {.elastic = {0, body.poisson_ratio},
-                          .yield_strength = known(body.yield_strength),
-                          .hardness = known(body.hardness)},
-                .effective_modulus = body.effective_modulus,
-                .interaction = {static_cast<InteractionReading>(body.interaction), body.interaction_length}};
-    take_shape(surface.skewness, surface.kurtosis, joint.face);
-    if (joint.face.theta) joint.face.r = surface.r;
-    return joint;
-}
 
 /// An array of the caller, and what goes into it.
 struct Output {
@@ -117,50 +100,11 @@ int evaluate(const fstiff_contact* contact, const double* x, std::size_t count, 
 
 using namespace fstiff::c;
 
-int fstiff_contact_make(const char* law, const fstiff_roughness* surface, const fstiff_body* body,
-                        fstiff_contact** made) {
+int fstiff_contact_make(const char* law, const fstiff_joint* joint, fstiff_contact** made) {
     return made_by(made, [&] {
-        not_null(law, "law");
-        const fstiff_roughness roughness = taken(surface, "surface");
-        return new fstiff_contact{fstiff::actions::make_contact(law, joint_of(roughness, taken(body, "body")))};
-    });
-}
-
-int fstiff_sensitivity(const char* law, const fstiff_roughness* surface, const fstiff_body* body, double pressure,
-                       double* by_pressure, fstiff_roughness* by_surface, fstiff_body* by_body) {
-    return guarded([&]() -> int {
-        not_null(law, "law");
-        const fstiff_roughness roughness = taken(surface, "surface");
-        if (by_surface) sized(by_surface, "by_surface");
-        if (by_body) sized(by_body, "by_body");
-        auto by = fstiff::actions::sensitivity_of(law, joint_of(roughness, taken(body, "body")), pressure);
-        bool finite = true;
-        for (const auto& [name, slope] : by) finite = finite && std::isfinite(slope);
-        if (const int status = handed_on(finite)) return status;
-        put(by_pressure, by["pressure"]);
-        if (by_surface)
-            give({.size = 0,
-                  .rms_height = by["rms_height"],
-                  .peak_radius = by["peak_radius"],
-                  .peak_density = by["peak_density"],
-                  .max_peak_height = by["max_peak_height"],
-                  .r = by["r"],
-                  .theta = by["theta"],
-                  .fractal_dimension = by["fractal_dimension"],
-                  .rms_gradient = by["rms_gradient"],
-                  .skewness = by["skewness"],
-                  .kurtosis = by["kurtosis"]},
-                 *by_surface);
-        if (by_body)
-            give({.size = 0,
-                  .effective_modulus = by["effective_modulus"],
-                  .yield_strength = by["yield_strength"],
-                  .hardness = by["hardness"],
-                  .poisson_ratio = by["poisson_ratio"],
-                  .interaction_length = by["interaction_length"],
-                  .interaction = 0},
-                 *by_body);
-        return FSTIFF_OK;
+        const fstiff::ChosenLaw& chosen = fstiff::actions::law_called(&not_null(law, "law"));
+        const fstiff::Joint assembly = joint_of(taken(joint, "joint"), false);
+        return new fstiff_contact{{.law = &chosen.row(), .contact = contact_of(assembly, chosen)}};
     });
 }
 

@@ -6,7 +6,6 @@
 #include "actions/export.hpp"
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
-#include "actions/peak_density.hpp"
 #include "actions/run.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/ultrasound.hpp"
@@ -64,9 +63,9 @@ std::optional<surface::SurfaceInput> surface_of(surface::SurfaceOptions& options
     return input_of(options, taken(heights, "heights"));
 }
 
-std::optional<actions::MeasuredCurve> curve_of(const fstiff_curve* given) {
+std::optional<actions::MeasuredCurve> curve_of(const fstiff_measured_curve* given) {
     if (!given) return std::nullopt;
-    const fstiff_curve from = taken(given, "curve");
+    const fstiff_measured_curve from = taken(given, "curve");
     require_array(from.pressures, from.count, "pressures");
     require_array(from.values, from.count, "values");
     const auto list = [&](const double* array) {
@@ -126,19 +125,11 @@ int fstiff_spectrum(const fstiff_heights* heights, const char* options, fstiff_d
     });
 }
 
-int fstiff_peaks(const fstiff_heights* profile, const char* options, fstiff_document** made) {
-    return made_by(made, [&] {
-        auto request = request_of<fstiff::actions::PeakDensityRequest>(options);
-        auto input = surface_of(request.surface, profile);
-        return handle_of(document_of(request, std::move(input)));
-    });
-}
-
 int fstiff_generate(const char* options, fstiff_document** made) {
     return made_by(made, [&] { return handle_of(document_of(request_of<fstiff::actions::GenerateRequest>(options))); });
 }
 
-int fstiff_ultrasound(const fstiff_curve* curve, const char* options, fstiff_document** made) {
+int fstiff_ultrasound(const fstiff_measured_curve* curve, const char* options, fstiff_document** made) {
     return made_by(made, [&] {
         const auto request = request_of<fstiff::actions::ReflectionRequest>(options);
         return handle_of(document_of(request, curve_of(curve)));
@@ -156,8 +147,8 @@ int fstiff_run(const char* scene, size_t length, const char* name, const char* o
     });
 }
 
-int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_curve* curve, const char* options,
-                    fstiff_document** made) {
+int fstiff_identify(const char* scene, size_t length, const char* name, const fstiff_measured_curve* curve,
+                    const char* options, fstiff_document** made) {
     return made_by(made, [&] {
         const auto request = request_of<fstiff::actions::IdentifyRequest>(options);
         const auto read = scene_of(scene, length, name);

@@ -2,8 +2,6 @@
 // Measurement of profiles and maps.
 #include "c/measure.hpp"
 
-#include <fstiff/measure/height_shape.hpp>
-
 #include <cmath>
 #include <string>
 #include <utility>
@@ -140,29 +138,5 @@ int fstiff_measure_map(const double* heights, size_t rows, size_t columns, doubl
             dy};
         map.validate();
         return measure(std::move(map), options, to);
-    });
-}
-
-int fstiff_measured_roughness(const fstiff_surface* surface, fstiff_roughness* roughness) {
-    return guarded([&] {
-        const fstiff_surface from = taken(surface, "surface");
-        fstiff_roughness& to = sized(roughness, "roughness");
-        fstiff::HeightStatistics<double> heights;
-        heights.skewness = {from.skewness.value, from.skewness.error};
-        heights.kurtosis = {from.kurtosis.known ? from.kurtosis.value : 3, from.kurtosis.error};
-        const auto shape = fstiff::detail::counted_shape(heights, from.shape_share);
-        give({.size = 0,
-              .rms_height = from.rms_height.value,
-              .peak_radius = from.peak_radius.value,
-              .peak_density = from.peak_density.value,
-              .max_peak_height = from.max_peak_height.value,
-              .r = from.r.value,
-              .theta = from.theta.value,
-              .fractal_dimension = from.fractal_dimension.value,
-              .rms_gradient = from.rms_gradient.value,
-              .skewness = shape.skewness,
-              .kurtosis = shape.kurtosis},
-             to);
-        return FSTIFF_OK;
     });
 }

@@ -49,7 +49,7 @@ std::string units() {
 constexpr OldName old_names[] = {
     {"fit", "is fstiff measure --show fit, with the same options"},
     {"islands", "is fstiff measure --show islands, with the same options"},
-    {"peaks", "is fstiff measure --show peaks, with the same options"},
+    {"peaks", "is PeakDistribution of the C++ library; r and theta of a profile are in fstiff measure --show fit"},
     {"spectrum", "is fstiff measure --show spectrum, with the same options"},
     {"merge", "is cat part-*.jsonl > all.jsonl, because shards follow one another in the order of their numbers"},
     {"report", "is python -m fstiff report SCENE -o FILE.html, of the Python package"},

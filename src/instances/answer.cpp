@@ -4,5 +4,4 @@
 #undef FSTIFF_INLINE  // as fstiff/implementation.hpp
 #define FSTIFF_INLINE
 #include <fstiff/answer/answer_inline.hpp>
-#include <fstiff/answer/law_fits_inline.hpp>
 #include <fstiff/answer/measured_face_inline.hpp>

@@ -6,6 +6,8 @@
 #include "io/readers.hpp"
 #include "io/utf16.hpp"
 
+#include <cmath>
+
 namespace fstiff::inline v0_1::io::detail {
 
 namespace {
@@ -28,7 +30,7 @@ constexpr std::string_view from_python =
     "with "
     "a few lines of Python";
 constexpr std::string_view unpack = "unpack it first";
-constexpr std::string_view sample = "sample its heights on a grid, as text or .stl";
+constexpr std::string_view sample = "make an array of its heights by the lines with trimesh in docs/formats.md";
 constexpr std::string_view from_the_program = "export the heights from the program that wrote it";
 
 constexpr std::array known_binaries{
@@ -77,6 +79,7 @@ constexpr std::array known_texts{
     KnownBinary{"P2", "a PGM picture", no_heights},
     KnownBinary{"P3", "a PPM picture", no_heights},
     KnownBinary{"{\\rtf", "a text of a word processor (.rtf)", "save it as plain text"},
+    KnownBinary{"solid", "a mesh of triangles (.stl)", sample},
     KnownBinary{"ply", "a mesh of polygons (.ply)", sample},
     KnownBinary{"mtllib ", "a mesh of polygons (.obj)", sample},
     KnownBinary{"v ", "a mesh of polygons (.obj)", sample},
@@ -99,6 +102,7 @@ bool is_whole(std::string_view magic, std::string_view rest) {
     if (magic == "v ") return leading_number(trimmed(behind)).status == NumberStatus::ok;
     if (magic[0] == 'P' || magic == "ply") return behind.empty() || is_blank(behind[0]);
     const std::string_view lines = rest.substr(0, 4096);
+    if (magic == "solid") return lines.find("facet") < lines.size();
     return magic.size() > 2 || lines.find("\nv ") < lines.size();
 }
 
@@ -113,6 +117,11 @@ KnownBinary known_by_content(std::string_view bytes) {
     if (bytes.starts_with("BM") && number_at(bytes, 6, 4) == 0 && number_at(bytes, 14, 4) >= 12 &&
         number_at(bytes, 14, 4) <= 128)
         return {{}, "a BMP picture", no_heights};
+    // STL: a title of 80 bytes, the number of triangles, and 50 bytes of each, which begin with its unit normal
+    if (bytes.size() > 134 && 84 + 50 * number_at(bytes, 80, 4) >= bytes.size() &&
+        std::abs(std::hypot(float_at(bytes.substr(84)), float_at(bytes.substr(88)), float_at(bytes.substr(92))) - 1) <
+            1e-3)
+        return {{}, "a mesh of triangles (.stl)", sample};
     // a wave of Igor: version 5 or 2, in either byte order, its header such that its words of 16 bits cancel
     for (const bool big : {false, true})
         for (const auto& [version, header] : {std::pair<std::uint64_t, std::size_t>{5, 384}, {2, 126}}) {

@@ -10,14 +10,14 @@ namespace detail {
 
 extern const Reader profile_reader, triples_reader, matrix_reader, sdf_reader, x3p_reader, npy_reader, gsf_reader,
     gwy_reader, sur_reader, smd_reader, metropro_reader, vk4_reader, opd_reader, al3d_reader, plu_reader, plux_reader,
-    stl_reader, netcdf_reader, opdx_reader;
+    netcdf_reader, opdx_reader;
 
 namespace {
 
 constexpr std::array all_readers{&profile_reader,  &triples_reader, &matrix_reader, &sdf_reader,  &x3p_reader,
                                  &npy_reader,      &gsf_reader,     &gwy_reader,    &sur_reader,  &smd_reader,
                                  &metropro_reader, &vk4_reader,     &opd_reader,    &al3d_reader, &plu_reader,
-                                 &plux_reader,     &stl_reader,     &netcdf_reader, &opdx_reader};
+                                 &plux_reader,     &netcdf_reader,  &opdx_reader};
 static_assert(all_readers.size() + 1 == enum_names<SurfaceFormat>.size(), "every form but automatic has a row");
 
 }  // namespace
@@ -32,9 +32,8 @@ const Reader& reader_of(SurfaceFormat format) {
 }  // namespace detail
 
 SurfaceFormat form_of_first_bytes(std::string_view bytes) {
-    for (const bool marked : {true, false})  // a mark is surer than counts and words
-        for (const detail::Reader* reader : detail::readers())
-            if (reader->begins && (reader->mark > 0) == marked && reader->begins(bytes)) return reader->format;
+    for (const detail::Reader* reader : detail::readers())
+        if (reader->begins && reader->begins(bytes)) return reader->format;
     return SurfaceFormat::automatic;
 }
 

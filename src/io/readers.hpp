@@ -21,7 +21,7 @@ struct Reader {
     bool (*begins)(std::string_view bytes) = nullptr;  ///< none of a text, whose columns decide
     Reading (*read)(std::string_view bytes, const std::string& name, const SurfaceOptions& options) =
         nullptr;            ///< \throws domain_error naming file, field and what is allowed; none where it is not built
-    std::size_t mark = 12;  ///< first bytes that a second file after the first repeats; 0: the form has no mark
+    std::size_t mark = 12;  ///< first bytes that a second file after the first repeats
     /// Whether a longer file that begins so is for this reader, be it to refuse it, where that needs more bytes.
     bool (*may_begin)(std::string_view bytes) = nullptr;
 };

@@ -155,7 +155,7 @@ void warn_of_second_file(const Reader& reader, std::string_view bytes, Record& r
     if (bytes.starts_with("PK\3\4")) {  // after the end of an archive
         const std::size_t end = bytes.find("PK\5\6");
         if (end < bytes.size()) place = bytes.find("PK\3\4", end);
-    } else if (reader.mark > 0 && bytes.size() > reader.mark) {
+    } else if (bytes.size() > reader.mark) {
         place = bytes.find(bytes.substr(0, reader.mark), reader.mark);
     }
     if (place < bytes.size() && form_of_first_bytes(bytes.substr(place)) == reader.format)

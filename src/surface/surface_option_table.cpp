@@ -42,7 +42,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"format", file, &Of::format, always,
      "form of the file: auto (default)", {.flag = "input-format", .json = "input_format", .more_help = forms}},
     {"units", file, &Of::units, always,
-     "units of lengths and heights in a text, .npy, .stl or X3P file, such as um,nm, or one for both; they replace "
+     "units of lengths and heights in a text, .npy or X3P file, such as um,nm, or one for both; they replace "
      "those of the file"},
     {"spacing", step, &Of::spacing, always,
      "distance between neighbouring points of a profile or of a .npy map, such as \"0.5 um\"; replaces that of the file"},

@@ -3,15 +3,15 @@
 #include <stdio.h>
 
 int main(void) {
-    fstiff_roughness surface = {.size = sizeof surface,
-                                .rms_height = 0.832e-6,
-                                .peak_radius = 40e-6,
-                                .peak_density = 500e6,
-                                .r = 0.5,
-                                .theta = 1.0};
-    fstiff_body body = {.size = sizeof body, .effective_modulus = 112.6e9};
+    fstiff_face face = {.size = sizeof face,
+                        .rms_height = 0.832e-6,
+                        .peak_radius = 40e-6,
+                        .peak_density = 500e6,
+                        .r = 0.5,
+                        .theta = 1.0};
+    fstiff_joint joint = {.size = sizeof joint, .face = &face, .effective_modulus = 112.6e9};
     fstiff_contact* contact;
-    if (fstiff_contact_make("hertz", &surface, &body, &contact) != FSTIFF_OK) {
+    if (fstiff_contact_make("hertz", &joint, &contact) != FSTIFF_OK) {
         puts(fstiff_last_message());
         return 1;
     }

@@ -3,8 +3,6 @@
 program fortran_test
     use fstiff
     implicit none
-    type(fstiff_roughness) :: fine, measured
-    type(fstiff_body) :: body
     type(fstiff_points) :: points
     type(fstiff_law_facts) :: facts
     type(fstiff_measure_options) :: options
@@ -12,7 +10,7 @@ program fortran_test
     type(c_ptr) :: contact, law, same, document, friction
     type(fstiff_slip) :: before, after
     type(fstiff_heights), target :: array
-    type(fstiff_curve) :: curve
+    type(fstiff_measured_curve) :: curve
     type(fstiff_face), target :: face
     type(fstiff_joint) :: joint
     type(fstiff_answer_points) :: answer
@@ -36,14 +34,14 @@ program fortran_test
     failures = 0
     call get_command_argument(1, numbers)
     call get_command_argument(2, law_file)
-    call check(fine%size == c_sizeof(fine) .and. body%size == c_sizeof(body) .and. points%size == c_sizeof(points) .and. &
+    call check(points%size == c_sizeof(points) .and. &
         facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface) .and. &
         face%size == c_sizeof(face) .and. joint%size == c_sizeof(joint) .and. answer%size == c_sizeof(answer) .and. &
         array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve) .and. before%size == c_sizeof(before), "sizes")
 
-    fine = fstiff_roughness(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
-    body = fstiff_body(effective_modulus=112.6d9)
-    call check(fstiff_make_contact("hertz", fine, body, contact) == FSTIFF_OK, "contact")
+    face = fstiff_face(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
+    joint = fstiff_joint(face=c_loc(face), effective_modulus=112.6d9)
+    call check(fstiff_make_contact("hertz", joint, contact) == FSTIFF_OK, "contact")
     points%stiffness = c_loc(stiffness)
     points%separation = c_loc(separation)
     points%status = c_loc(status)
@@ -116,7 +114,6 @@ program fortran_test
     options%lambda_c = FSTIFF_NO_CUT_OFF
     call check(fstiff_measure_profile(heights, size(heights, kind=c_size_t), 1d-6, options, surface) == FSTIFF_OK, "profile")
     call check(bits(surface%rms_height%value) == bits(wanted(1)) .and. bits(surface%theta%error) == bits(wanted(14)), "measured")
-    call check(fstiff_measured_roughness(surface, measured) == FSTIFF_OK .and. measured%rms_height > 0, "roughness")
 
     text = "kind = profile"//achar(10)//"hurst = 0.7"//achar(10)//"rms = 1e-6"//achar(10)//"spacing = 1 um"//c_null_char
     call check(fstiff_generate(text, document) == FSTIFF_OK, "generate")
@@ -164,8 +161,8 @@ program fortran_test
     call check(FSTIFF_CAUSE_NOISE == FSTIFF_CAUSES - 1, "number of causes")
     call fstiff_document_free(document)
 
-    fine%rms_height = -1
-    call check(fstiff_make_contact("hertz", fine, body, contact) == FSTIFF_REFUSED, "refusal")
+    face%rms_height = -1
+    call check(fstiff_make_contact("hertz", joint, contact) == FSTIFF_REFUSED, "refusal")
     call check(index(fstiff_message(), "rms_height = -1: must be") > 0 .and. .not. c_associated(contact), "message")
     call check(fstiff_error_text(FSTIFF_OK) == "no error", "words of a status")
     text = fstiff_version()

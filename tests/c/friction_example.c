@@ -3,15 +3,15 @@
 #include <stdio.h>
 
 int main(void) {
-    fstiff_roughness surface = {
-        .size = sizeof surface, .rms_height = 1e-6, .peak_radius = 40e-6, .peak_density = 5e8, .theta = 1.0};
-    fstiff_body body = {.size = sizeof body, .effective_modulus = 112.6e9};
+    fstiff_face face = {
+        .size = sizeof face, .rms_height = 1e-6, .peak_radius = 40e-6, .peak_density = 5e8, .theta = 1.0};
+    fstiff_joint joint = {.size = sizeof joint, .face = &face, .effective_modulus = 112.6e9};
     fstiff_contact* contact = NULL;
     fstiff_law* law = NULL;
     fstiff_friction* friction = NULL;
     double ratio, d, lost, loss_factor;
     if (fstiff_tangential_ratio(205e9, 0.3, 205e9, 0.3, &ratio) != FSTIFF_OK ||
-        fstiff_contact_make("hertz", &surface, &body, &contact) != FSTIFF_OK ||
+        fstiff_contact_make("hertz", &joint, &contact) != FSTIFF_OK ||
         fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_EXTRAPOLATE, &law) != FSTIFF_OK ||
         fstiff_friction_make(law, 0.3, ratio, &friction) != FSTIFF_OK ||
         fstiff_law_at_pressure(law, 1e7, &d, NULL, NULL) != FSTIFF_OK) {

@@ -2,6 +2,7 @@
 // Reference of interface_test.c: numbers of the C++ library, made without the C interface and without scenes but
 // for one. Prints "key count values..." in hexadecimal; the second argument names the file of a tabulated law.
 #include <fstiff/answer.hpp>
+#include <fstiff/answer/laws.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/contact/contact.hpp>
@@ -100,6 +101,34 @@ void print_law_of_answer() {
     print("answer/laws", all);
 }
 
+/// K by each law of a joint of numbers, or by those that need one of a joint of heights.
+void print_laws(const HeightMap<double>& map, const std::vector<double>& pressures) {
+    const Body steel{.elastic = {205e9, 0.3}, .yield_strength = 0.7e9, .hardness = 2e9};
+    Joint joint{.face = {.rms_height = 0.832e-6,
+                         .rms_gradient = 0.1,
+                         .peak_radius = 40e-6,
+                         .peak_density = 500e6,
+                         .max_peak_height = 5.3e-6,
+                         .r = 0.5,
+                         .theta = 1.0,
+                         .fractal_dimension = 1.62},
+                .upper = steel,
+                .lower = steel};
+    for (const ChosenLaw& law : detail::all_laws()) {
+        std::vector<double> stiffness, some = pressures;
+        try {
+            for (const auto& point : contact_of(joint, law)->at_pressures(some, Quantity::stiffness))
+                stiffness.push_back(point.ok() ? point.state.stiffness.value : 0);
+        } catch (const domain_error&) {
+            joint.face = {.measured = measured_face(measure(map))};
+            some.resize(2);
+            for (const auto& point : contact_of(joint, law)->at_pressures(some, Quantity::stiffness))
+                stiffness.push_back(point.ok() ? point.state.stiffness.value : 0);
+        }
+        print(("law/" + std::string(law.row().name)).c_str(), stiffness);
+    }
+}
+
 }  // namespace
 
 int main(int, char** argv) {
@@ -153,5 +182,6 @@ int main(int, char** argv) {
     print("map/sides", {static_cast<double>(map.rows()), static_cast<double>(map.columns()), map.dx, map.dy});
     print_measured("map/measured", detail::surface_parameters<double>(detail::level(map, MapForm::plane), {}));
     print_measured("map/default", measure(map));
+    print_laws(map, pressures);
     return std::fclose(out);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One answer for one request: spectra, peaks, generated surfaces, ultrasound, identification and exports through the C
+// One answer for one request: spectra, generated surfaces, ultrasound, identification and exports through the C
 // interface are what the command prints, byte for byte. tests/python/test_answers.py holds the Python package to the
 // command.
 #ifdef FSTIFF_TEST_HAS_C
@@ -48,7 +48,7 @@ std::vector<double> numbers_at(const Document& document, const std::string& path
 
 }  // namespace
 
-TEST_CASE("The C interface generates the files of the command, and has its spectra and peaks") {
+TEST_CASE("The C interface generates the files of the command, and has its spectra") {
     const std::string of_map = "kind = map\npoints = 32\nrows = 24\nspacing = 1e-6\nhurst = 0.8\nrms = 0.1 um";
     const auto map = made_by([&](auto made) { return fstiff_generate(of_map.c_str(), made); });
     const auto written =
@@ -72,12 +72,6 @@ TEST_CASE("The C interface generates the files of the command, and has its spect
         made_by([&](auto made) { return fstiff_spectrum(&array, "lambda_s = 3e-6\ntaper = none", made); });
     CHECK(numbers_at(of_array, "psd.psd_m4") == numbers_at(spectrum, "psd.psd_m4"));
     CHECK(numbers_at(of_array, "rms_height_m") == numbers_at(spectrum, "rms_height_m"));
-
-    const std::string by_numbers = "r = 0.5\ntheta = pi/3\nheights = -4,4,9";
-    const auto peaks = made_by([&](auto made) { return fstiff_peaks(nullptr, by_numbers.c_str(), made); });
-    CHECK(text_of(peaks) ==
-          test::run_fstiff("measure --show peaks --r 0.5 --theta pi/3 --heights=-4,4,9 --format json").out);
-    CHECK(numbers_at(peaks, "heights.density").size() == 9);
 }
 
 TEST_CASE("The C interface reflects, identifies and exports what the command does") {
@@ -94,7 +88,7 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
     CHECK(text_of(rows) == printed.out);
     const auto first = nlohmann::json::parse(printed.out)["rows"][0];
     const double p = first["pressure_Pa"], r = first["reflection"];
-    const fstiff_curve array{sizeof array, &p, &r, nullptr, 1, 1};
+    const fstiff_measured_curve array{sizeof array, &p, &r, nullptr, 1, 1};
     const auto of_array =
         made_by([&](auto made) { return fstiff_ultrasound(&array, ("frequency = 7 MHz" + steel).c_str(), made); });
     CHECK(numbers_at(of_array, "rows.0.stiffness_Pa_per_m") == std::vector<double>{first["stiffness_Pa_per_m"]});
@@ -165,20 +159,23 @@ TEST_CASE("The C interface refuses requests in one sentence") {
     refused(fstiff_generate("seed 3", &none), FSTIFF_REFUSED, "key = value");
     refused(fstiff_generate("seed = 3\nseed = 4", &none), FSTIFF_REFUSED, "seed is listed twice");
     refused(fstiff_generate("points = 1.5", &none), FSTIFF_REFUSED, "points = 1.5");
-    refused(fstiff_peaks(nullptr, "theta = 1\nexponential = perhaps", &none), FSTIFF_REFUSED, "true or false");
+    refused(fstiff_identify(nullptr, 0, nullptr, nullptr, "fit = sigma\nshear = perhaps", &none), FSTIFF_REFUSED,
+            "true or false");
     refused(fstiff_ultrasound(nullptr, "stiffness = 1e15\nfrequency = 7e6", &none), FSTIFF_REFUSED, "impedance");
     refused(fstiff_identify(nullptr, 0, nullptr, nullptr, "fit = sigmas", &none), FSTIFF_REFUSED, "sigmas");
     refused(fstiff_run(nullptr, 0, nullptr, "surface = nowhere.csv", &none), FSTIFF_REFUSED, "no such file");
     refused(fstiff_export(nullptr, 0, nullptr, "law = persson", &none), FSTIFF_REFUSED, "persson");
     refused(fstiff_spectrum(nullptr, nullptr, nullptr), FSTIFF_BAD_ARGUMENT, "made");
-    const fstiff_curve empty{sizeof empty, nullptr, nullptr, nullptr, 0, 1};
+    const fstiff_measured_curve empty{sizeof empty, nullptr, nullptr, nullptr, 0, 1};
     refused(fstiff_ultrasound(&empty, nullptr, &none), FSTIFF_BAD_ARGUMENT, "pressures");
-    const auto peaks = made_by([&](auto made) { return fstiff_peaks(nullptr, "r = 0.5\ntheta = 1", made); });
+    const auto wave = made_by([&](auto made) {
+        return fstiff_ultrasound(nullptr, "stiffness = 1e15\nfrequency = 7e6\nimpedance = 46e6", made);
+    });
     std::size_t count = 0;
     double one = 0;
-    refused(fstiff_document_numbers(peaks.get(), "theta.x", &one, 1, &count), FSTIFF_BAD_ARGUMENT, "no path");
-    refused(fstiff_document_numbers(peaks.get(), "from", &one, 1, &count), FSTIFF_REFUSED, "neither a number");
-    refused(fstiff_document_numbers(peaks.get(), "theta", &one, 0, &count), FSTIFF_BAD_ARGUMENT, "capacity = 0");
+    refused(fstiff_document_numbers(wave.get(), "reflection.x", &one, 1, &count), FSTIFF_BAD_ARGUMENT, "no path");
+    refused(fstiff_document_numbers(wave.get(), "command", &one, 1, &count), FSTIFF_REFUSED, "neither a number");
+    refused(fstiff_document_numbers(wave.get(), "reflection", &one, 0, &count), FSTIFF_BAD_ARGUMENT, "capacity = 0");
 }
 
 }  // namespace answers_test

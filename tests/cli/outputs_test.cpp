@@ -52,7 +52,6 @@ TEST_CASE("No command writes over a file that it reads") {
     check_harmless(folder, "measure --show fit link.csv -o hard.csv", 3, {"hard.csv", input});
     check_harmless(folder, "measure --show fit - -o d.csv < d.csv", 3, {"d.csv", input});
     check_harmless(folder, "measure d.csv -o d.csv", 3, {"d.csv", input});
-    check_harmless(folder, "measure --show peaks --profile d.csv -o d.csv", 3, {"d.csv", input});
     check_harmless(folder, "run scene.toml -o scene.toml", 3, {"scene.toml", input});
     check_harmless(folder, "run scene.toml -o d.csv", 3, {"d.csv", input});
     check_harmless(folder, "run --surface d.csv -o d.csv", 3, {"d.csv", input});
@@ -166,9 +165,9 @@ TEST_CASE("The output - is standard output, and what must be a file refuses it")
     folder.write("d.csv", profile());
     folder.write("grid.toml", read(FSTIFF_SCENES "/../examples/sweeps/grid.toml"));
     const std::string in = "cd '" + (folder / "") + "' && fstiff ";
-    for (const char* command : {"run", "measure --show fit d.csv", "measure d.csv", "measure --show spectrum d.csv",
-                                "measure --show peaks --profile d.csv", "formats", "export --to abaqus",
-                                "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
+    for (const char* command :
+         {"run", "measure --show fit d.csv", "measure d.csv", "measure --show spectrum d.csv", "formats",
+          "export --to abaqus", "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
         const Outcome plain = shell(in + command), dash = shell(in + command + " -o -");
         INFO(command << "\n" << dash.err);
         CHECK(plain.status % 4 == 0);
@@ -223,11 +222,10 @@ TEST_CASE("Control characters of names are printed nowhere", "[more]") {
     const std::string picture = folder / "k.svg";
     for (const std::string& command :
          {"measure --show fit '" + profile_file + "'", "measure --format table '" + profile_file + "'",
-          "measure --show spectrum '" + profile_file + "'", "measure --show peaks --profile '" + profile_file + "'",
-          "run --surface '" + profile_file + "'", "run '" + scene + "' --plot '" + picture + "'",
-          "run '" + scene + "' --full", "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'",
-          "run '" + scene + "' --format json", "truth '" + profile_file + "'",
-          "run '" + folder / (name + "none") + "'"}) {
+          "measure --show spectrum '" + profile_file + "'", "run --surface '" + profile_file + "'",
+          "run '" + scene + "' --plot '" + picture + "'", "run '" + scene + "' --full",
+          "export --to abaqus '" + scene + "'", "measure '" + profile_file + "'", "run '" + scene + "' --format json",
+          "truth '" + profile_file + "'", "run '" + folder / (name + "none") + "'"}) {
         const Outcome outcome = test::run_fstiff(command);
         INFO(command << "\n" << outcome.err);
         CHECK((outcome.status % 4 == 0 || outcome.status == 3));

@@ -100,7 +100,6 @@ TEST_CASE("Every form of an output replaces an earlier output of any command", "
         for (const char* call :
              {"run s.toml", "run ball.toml", "measure p.csv", "measure p.csv r2.csv", "measure m.csv",
               "measure p.csv --scales", "measure --show fit p.csv", "measure --show islands m.csv",
-              "measure --show peaks p.csv", "measure --show peaks --r 0.5 --theta pi/3 --heights=-4,4,9",
               "measure --show spectrum p.csv", "measure --show spectrum m.csv",
               "measure --show spectrum m.csv --of acf", "truth m.csv --pressures 10MPa", "formats",
               "identify --measured k.csv --law hertz --fit sigma",

@@ -30,8 +30,7 @@ std::vector<std::string> listed_commands() {
 }
 std::vector<std::string> commands() {
     std::vector<std::string> names = listed_commands();
-    for (const char* shown : {"fit", "islands", "peaks", "spectrum"})
-        names.push_back("measure --show " + std::string(shown));
+    for (const char* shown : {"fit", "islands", "spectrum"}) names.push_back("measure --show " + std::string(shown));
     return names;
 }
 
@@ -152,7 +151,7 @@ TEST_CASE("bash completes every command, option and word") {
     ask("run --format = ''", 4, {"table", "csv", "json"});
     ask("run --format =", 3, {"table", "csv", "json"});
     ask("measure --show fit x.csv --seed ''", 6, {});
-    ask("measure --show ''", 3, {"fit", "islands", "peaks", "spectrum"});
+    ask("measure --show ''", 3, {"fit", "islands", "spectrum"});
     ask("measure x.csv --show fit --conv", 5, {"--convention"});
     ask("measure --show = islands --neigh", 5, {"--neighbours"});
     for (const std::string& command : commands()) {

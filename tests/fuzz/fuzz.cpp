@@ -85,7 +85,6 @@ std::vector<SurfaceOptions> options_of(SurfaceFormat format) {
         case SurfaceFormat::gwy: return {{}, {.channel = "1"}, {.channel = "Height"}};
         case SurfaceFormat::npy:
             return {{.units = "nm", .dx = 1e-6, .dy = 2e-6}, {.units = "nm", .spacing = 1e-6, .missing = "-9999"}};
-        case SurfaceFormat::stl: return {{.units = "um"}};
         default: return {{.x3p_limits = {.bytes = 1 << 24}}};
     }
 }

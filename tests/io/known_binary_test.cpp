@@ -33,6 +33,8 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
         CHECK(has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), .sdf, .x3p, .npy, "));
     }
     CHECK(has(refusal("1 2\n\0"s), "holds NUL bytes"));
+    const std::string stl = std::string(80, 'x') + test::little(2, 4) + test::little(0.0F) + test::little(0.6F) +
+                            test::little(-0.8F) + std::string(88, '\0');
     const std::pair<std::string, const char*> others[] = {{"Binary TrueMap Data File v2.0\r\n\0"s, ".tmd"},
                                                           {"fileType      Image\n\0"s, ".mi"},
                                                           {"[DataSet]\r\nGroupCount=1\r\n\0"s, ".nid"},
@@ -46,6 +48,8 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
                                                           {"{\\rtf1\\ansi 1 2 3}", ".rtf"},
                                                           {"# Blender\no Cube\nv 1 2 3\nv 1 2 4\n", ".obj"},
                                                           {"v 1 2 3\nv 1 2 4\nf 1 2 3\n", ".obj"},
+                                                          {"solid plate\nfacet normal 0 0 1\n", ".stl"},
+                                                          {stl, ".stl"},
                                                           {"ply\nformat ascii 1.0\n", ".ply"}};
     for (const auto& [bytes, name] : others) {
         INFO(name);

@@ -46,8 +46,6 @@ constexpr Sample samples[] = {
     {SurfaceFormat::sdf, "sdf/text-1.sdf", 5},    // a line end, and the last asterisk
     {SurfaceFormat::smd, "smd/profile.smd", 13},  // the check sum
     {SurfaceFormat::smd, "smd/profile.prf", 7},   // the last two words
-    {SurfaceFormat::stl, "stl/map.stl", 0, 0.5e-6, 0.25e-6, 1e-6, 2},
-    {SurfaceFormat::stl, "stl/text.stl", 7, 0.5e-6, 0.25e-6, 1e-6, 2},  // after endsolid
     {SurfaceFormat::sur, "sur/comment.sur"},
     {SurfaceFormat::sur, "sur/compressed-32-three-streams.sur"},
     {SurfaceFormat::sur, "sur/profile.pro"},
@@ -70,7 +68,6 @@ bool is_read(const Sample& sample) {
 /// The reader of \p format, with the options that its files need.
 test::FormReader reader(SurfaceFormat format) {
     if (format == SurfaceFormat::npy) return {format, {.units = "nm", .dx = 1e-6, .dy = 2e-6}};
-    if (format == SurfaceFormat::stl) return {format, {.units = "um"}};
     return {format};
 }
 

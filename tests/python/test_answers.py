@@ -41,21 +41,6 @@ def test_the_power_of_a_spectrum_is_the_mean_square_height(trace):
     assert mean_square == pytest.approx(np.mean(heights**2), rel=1e-11)
 
 
-def test_peaks_are_those_of_the_command(command, trace, tmp_path):
-    for arguments, options in (
-        (["--r", "0.5", "--theta", "pi/3"], {"r": 0.5, "theta": "pi/3"}),
-        (["--theta", "0.9", "--exponential", "--heights=-4,4,9"], {"theta": 0.9, "exponential": True, "heights": (-4, 4, 9)}),
-        (["--rho1", "0.9", "--rho2", "0.7"], {"rho1": 0.9, "rho2": 0.7}),
-    ):
-        assert_same(fstiff.peaks(**options), command.json("measure", "--show", "peaks", *arguments))
-    document = command.json("measure", "--show", "peaks", "--profile", save(tmp_path / "trace.npy", trace), *TRACE)
-    assert_same(fstiff.peaks(tmp_path / "trace.npy", **OF_TRACE), document, but=["inputs"])
-    assert_same(fstiff.peaks(trace, spacing="0.5 um"), document, but=["inputs", "source"])
-    for wrong in ({}, {"r": 0.5}, {"rho1": 0.5}, {"r": 0.5, "theta": 1, "heights": (0, 1)}):
-        with pytest.raises(ValueError, match="give|needs|must be"):
-            fstiff.peaks(**wrong)
-
-
 def test_generated_heights_are_those_of_the_file_of_the_command(command, tmp_path):
     for kind, arguments, options in (
         ("profile", ["--hurst", "0.5", "--rms", "1 um", "--points", "64"], {"hurst": 0.5, "rms": 1e-6, "points": 64}),

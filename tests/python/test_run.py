@@ -295,7 +295,7 @@ def test_a_key_of_a_dict_stays_that_key(key):
         ({"surface": {"rms_height": 1j}}, "scene: surface.rms_height = 1j: must be a number"),
         ({"surface": {1: "1 um"}}, "scene: surface.1: its name must be a text"),
         ({"surface": b"1 um"}, "scene: surface = b'1 um': must be a number"),
-        ({"surface": fstiff.peaks(r=0.5, theta=1.0)}, "scene: surface: must not be a Peaks; surface= takes"),
+        ({"surface": fstiff.spectrum(np.arange(64.0) % 3, spacing=1.0)}, "scene: surface: must not be a Spectrum; surface= takes"),
         ({"name": "\ud800"}, "surrogates not allowed"),
     ],
 )

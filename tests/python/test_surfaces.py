@@ -77,8 +77,7 @@ def test_a_map_gives_the_document_of_the_command(command, rough_map, tmp_path, w
         ("measure", [], {}),
         ("measure", ["--lambda-c", "0.2 mm", "--filter", "robust", "--tip-radius", "2 um"],
          {"lambda_c": 0.2e-3, "filter": "robust", "tip_radius": "2 um"}),
-        ("fit", ["--all-lags", "--resamples", "0", "--convention", "paper"],
-         {"all_lags": True, "resamples": 0, "convention": "paper"}),
+        ("fit", ["--resamples", "0", "--convention", "paper"], {"resamples": 0, "convention": "paper"}),
         ("fit", ["--detrend", "gaussian", "--cutoff", "0.1 mm"], {"detrend": "gaussian", "cutoff": 1e-4}),
     ],
 )  # fmt: skip
@@ -472,7 +471,6 @@ def test_every_option_of_the_table_is_a_keyword(key):
         (lambda z: fstiff.measure(z, spacing=1e-6, lambda_s="1 s"), "lambda_s"),
         (lambda z: fstiff.measure(fstiff.Surface(z, 1e-6), spacing=1e-6), "spacing: must not be given"),
         (lambda z: fstiff.measure("no such file"), "no such file: no such file"),
-        (lambda z: fstiff.fit(z, spacing=1e-6, all_lags=True), "all_lags is for profiles"),
         (lambda z: fstiff.islands(z[0], spacing=1e-6), "must be a map"),
         (lambda z: fstiff.islands(z, spacing=1e-6, neighbours=6), "neighbours = 6: must be 4 or 8"),
         (lambda z: fstiff.truth(z[0], 1e6, effective_modulus=1e11, spacing=1e-6), "boundary elements need a map"),

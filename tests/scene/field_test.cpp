@@ -11,7 +11,6 @@
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
 #include "actions/islands.hpp"
-#include "actions/peak_density.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/truth.hpp"
 #include "actions/ultrasound.hpp"
@@ -200,7 +199,6 @@ TEST_CASE("Every field of a request is an option of its command and a key of its
     check_options<surface::MeasureOptions>("measure");
     check_options<actions::FractalOptions>("measure --show fit");
     check_options<actions::IslandsRequest>("measure --show islands");
-    check_options<actions::PeakDensityRequest>("measure --show peaks");
     check_options<actions::SpectrumRequest>("measure --show spectrum");
     check_options<actions::GenerateRequest>("generate");
     check_options<actions::TruthRequest>("truth");

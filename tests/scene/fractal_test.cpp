@@ -231,8 +231,6 @@ TEST_CASE("A map is fitted along x and along y, and reported as anisotropic when
         stretched += "\n";
     }
     CHECK(test::contains(test::fitted("", stretched)["warnings"].dump(), "the map is anisotropic"));
-    const fstiff::actions::FractalOptions all_lags{.surface = {}, .all_lags = true};
-    test::check_sentence(test::refusal([&] { (void)test::fitted("", made, all_lags); }), {"--all-lags", "map"});
     test::check_sentence(test::refusal([&] { (void)test::fitted("--detrend line", made); }), {"detrend", "plane"});
 }
 
@@ -267,7 +265,6 @@ TEST_CASE("Tip, resolution, seed and filter act on a file as in the headers") {
     CHECK(json("")["peak_statistics"]["counted_peak_ratio"] == peaks.counted_peak_ratio);
     CHECK(json("")["power_spectrum"]["fractal_dimension"] ==
           fstiff::detail::fit_spectrum(fstiff::power_spectrum(flat.profile)).dimension);
-    CHECK(json("", {.surface = {}, .all_lags = true})["structure_function"]["lag_m"].size() == 4095);
 
     const auto refused = [&](const std::string& options, const std::string& part) {
         test::check_sentence(test::refusal([&] { (void)json(options); }), {part});

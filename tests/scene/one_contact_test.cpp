@@ -6,7 +6,6 @@
 #include "support/catch.hpp"
 
 #include <fstiff/contact/rough_contact.hpp>
-#include <fstiff/contact/sensitivity.hpp>
 #include <fstiff/synthetic/self_affine.hpp>
 
 #include <limits>
@@ -156,38 +155,59 @@ TEST_CASE("a missing number that may be 0 is not taken for 0") {
     CHECK(sentence_of([&] { return actions::make_contact("hertz", numbers); }) == "law hertz: needs r and theta");
 }
 
-TEST_CASE("the sensitivities of plain numbers are the exact derivatives of the headers") {
-    const Roughness<double> surface{0.832e-6, 40e-6, 500e6};
-    Joint numbers = joint_of(surface, 0.5, 1.0);
-    numbers.face.fractal_dimension = 1.4;
-    const PeakDistribution<double> peaks(0.5, 1.0);
-    const double p = 1e7;
-    const auto check = [&](const std::string& law, const Sensitivity<double>& exact) {
-        const auto by = actions::sensitivity_of(law, numbers, p);
-        const auto agrees = [&](const char* name, double x, double wanted) {
-            INFO(law << ", " << name);
-            CHECK(std::abs(by.at(name) - wanted) * x < 1e-7 * exact.stiffness);
-        };
-        agrees("pressure", p, exact.pressure);
-        agrees("rms_height", 0.832e-6, exact.rms_height);
-        agrees("peak_radius", 40e-6, exact.peak_radius);
-        agrees("peak_density", 500e6, exact.peak_density);
-        agrees("effective_modulus", 112.6e9, exact.effective_modulus);
-        agrees("r", 1, exact.r);
-        agrees("theta", 1, exact.theta);
-        agrees("fractal_dimension", 1.4, exact.fractal_dimension);
+TEST_CASE("the sensitivities of plain numbers are differences of the contact of the headers") {
+    struct Numbers {
+        double pressure = 1e7, rms_height = 0.832e-6, peak_radius = 40e-6, peak_density = 500e6,
+               effective_modulus = 112.6e9, r = 0.5, theta = 1, fractal_dimension = 1.4;
     };
-    check("hertz", sensitivity(RoughContact(surface, peaks, HertzLaw<double>{}, 112.6e9), p));
-    check("fractal_consistent",
-          sensitivity(RoughContact(surface, peaks, FractalConsistentLaw<double>(1.4), 112.6e9), p));
+    const auto check = [](const std::string& name, double r, const auto& law) {
+        const auto K = [&](const Numbers& x) {
+            const RoughContact contact(Roughness<double>{x.rms_height, x.peak_radius, x.peak_density},
+                                       PeakDistribution<double>(x.r, x.theta), law(x.fractal_dimension),
+                                       x.effective_modulus);
+            return contact.at_pressure(x.pressure, Quantity::stiffness).stiffness.value;
+        };
+        const Numbers numbers{.r = r};
+        Joint joint = joint_of({numbers.rms_height, numbers.peak_radius, numbers.peak_density}, r, numbers.theta);
+        joint.face.fractal_dimension = numbers.fractal_dimension;
+        const auto by = actions::sensitivity_of(name, joint, numbers.pressure);
+        const std::pair<const char*, double Numbers::*> members[] = {
+            {"pressure", &Numbers::pressure},
+            {"rms_height", &Numbers::rms_height},
+            {"peak_radius", &Numbers::peak_radius},
+            {"peak_density", &Numbers::peak_density},
+            {"effective_modulus", &Numbers::effective_modulus},
+            {"r", &Numbers::r},
+            {"theta", &Numbers::theta},
+            {"fractal_dimension", &Numbers::fractal_dimension}};
+        for (const auto& [key, member] : members) {
+            const double x = numbers.*member, scale = x > 0 ? x : 1;
+            // Richardson's of central differences of steps of 4, 2 and 1 %; from r = 0 on of those of 8 orders
+            const auto moved = [&](double change) {
+                Numbers other = numbers;
+                other.*member += change * scale;
+                return K(other);
+            };
+            const auto central = [&](double step) { return (moved(step) - moved(-step)) / (2 * step); };
+            double wanted = 0;
+            if (x > 0) {
+                wanted = (64 * central(0.01) - 20 * central(0.02) + central(0.04)) / 45;
+            } else {
+                constexpr double weights[] = {-761.0 / 280, 8,         -14,     56.0 / 3, -35.0 / 2,
+                                              56.0 / 5,     -14.0 / 3, 8.0 / 7, -1.0 / 8};
+                for (int i = 0; i < 9; ++i) wanted += weights[i] * moved(0.004 * i) / 0.004;
+            }
+            INFO(name << ", " << key);
+            CHECK(std::abs(by.at(key) * scale - wanted) < 1e-7 * K(numbers));
+        }
+    };
+    check("hertz", 0.5, [](double) { return HertzLaw<double>{}; });
+    check("hertz", 0, [](double) { return HertzLaw<double>{}; });
+    check("fractal_consistent", 0.5, [](double dimension) { return FractalConsistentLaw<double>(dimension); });
 }
 
-TEST_CASE("a sensitivity by r at r = 0 is taken from above, and bad numbers are refused") {
-    const Roughness<double> surface{0.832e-6, 40e-6, 500e6};
-    const Joint numbers = joint_of(surface, 0.0, 1.0);
-    const RoughContact contact(surface, PeakDistribution<double>(0.0, 1.0), HertzLaw<double>{}, 112.6e9);
-    const auto exact = sensitivity(contact, 1e7);
-    CHECK(std::abs(actions::sensitivity_of("hertz", numbers, 1e7).at("r") - exact.r) < 1e-7 * exact.stiffness);
+TEST_CASE("a sensitivity of numbers that no contact has is refused") {
+    const Joint numbers = joint_of({0.832e-6, 40e-6, 500e6}, 0.0, 1.0);
     CHECK_THROWS_AS(actions::sensitivity_of("hertz", numbers, -1), domain_error);
     CHECK_THROWS_AS(actions::sensitivity_of("none", numbers, 1e7), domain_error);
 }

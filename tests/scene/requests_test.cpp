@@ -3,7 +3,6 @@
 #include "actions/export.hpp"
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
-#include "actions/peak_density.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/ultrasound.hpp"
 
@@ -115,16 +114,7 @@ TEST_CASE("A reflection is eq. (5.1), and a curve of reflections gives the stiff
           }) == "curve:2: stiffness = -1: must be finite and greater than 0");
 }
 
-TEST_CASE("A density of peaks needs one source, and a curve of a contact gives its parameters back") {
-    actions::PeakDensityRequest peaks{.r = 0.5, .theta = "pi/3", .heights = "-4,4,9"};
-    const auto density = actions::peak_density_of(peaks);
-    CHECK(density.heights == std::vector<double>{-4, -3, -2, -1, 0, 1, 2, 3, 4});
-    CHECK(density.density.mean_height() == PeakDistribution<double>(0.5, std::numbers::pi / 3).mean_height());
-    peaks.rho1 = 0.5;
-    CHECK(refused<document::option_error>([&] {
-              (void)actions::peak_density_of(peaks);
-          }).starts_with("give one of r and theta"));
-
+TEST_CASE("A curve of a contact gives its parameters back") {
     const auto builtin = scene::read_scene(scene::builtin_scene, {.name = "built-in scene"});
     const Roughness<double> rougher{1.1 * 0.832e-6, 40e-6, 500e6};  // than that scene
     const auto of = PeakDistribution<double>::exponential(std::numbers::pi / 4);

@@ -69,9 +69,6 @@ public:
     [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
     [[nodiscard]] constexpr T stiffness_factor() const { return stiffness_factor_; }
     [[nodiscard]] static constexpr T area_factor() { return std::numbers::pi_v<T>; }
-    /// d ln load/dD and d ln stiffness/dD.
-    [[nodiscard]] constexpr T log_load_slope() const { return load_slope_; }
-    [[nodiscard]] constexpr T log_stiffness_slope() const { return stiffness_slope_; }
 
     template <class Omega, class Radius>
     [[nodiscard]] auto load(const Omega& omega, const Radius& radius) const {
@@ -89,14 +86,11 @@ public:
     }
 
 protected:
-    constexpr ElasticLaw(T load_factor, T stiffness_factor, T load_slope, T stiffness_slope)
-        : load_factor_(load_factor),
-          stiffness_factor_(stiffness_factor),
-          load_slope_(load_slope),
-          stiffness_slope_(stiffness_slope) {}
+    constexpr ElasticLaw(T load_factor, T stiffness_factor)
+        : load_factor_(load_factor), stiffness_factor_(stiffness_factor) {}
 
 private:
-    T load_factor_, stiffness_factor_, load_slope_, stiffness_slope_;
+    T load_factor_, stiffness_factor_;
 };
 
 namespace detail {
@@ -109,19 +103,12 @@ template <Real T>
     return 2 * (3 - fractal_dimension) / (3 * (2 - fractal_dimension));
 }
 
-/// d ln f/dD = 1/(2-D) - 1/(3-D), growth of the factor with D. \throws domain_error unless 1 < D < 2.
-template <Real T>
-[[nodiscard]] constexpr T log_stiffness_factor_slope(T fractal_dimension) {
-    require_fractal_dimension(fractal_dimension);
-    return 1 / ((2 - fractal_dimension) * (3 - fractal_dimension));
-}
-
 }  // namespace detail
 
 /// Hertz: the stiffness is the derivative of the load. There is no D.
 template <Real T = double>
 struct HertzLaw : ElasticLaw<T> {
-    constexpr HertzLaw() : ElasticLaw<T>(T(4) / 3, T(2), T(0), T(0)) {}
+    constexpr HertzLaw() : ElasticLaw<T>(T(4) / 3, T(2)) {}
 };
 
 /// The paper as printed: Hertz load, stiffness (3.14). K is not the derivative of the load.
@@ -129,8 +116,7 @@ template <Real T = double>
 struct FractalLaw : ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalLaw(T fractal_dimension)
-        : ElasticLaw<T>(T(4) / 3, 2 * detail::fractal_stiffness_factor(fractal_dimension), T(0),
-                        detail::log_stiffness_factor_slope(fractal_dimension)) {}
+        : ElasticLaw<T>(T(4) / 3, 2 * detail::fractal_stiffness_factor(fractal_dimension)) {}
 };
 
 /// Stiffness (3.14) and the load that it is the derivative of.
@@ -139,9 +125,7 @@ struct FractalConsistentLaw : ElasticLaw<T> {
     /// \throws domain_error unless 1 < D < 2.
     explicit constexpr FractalConsistentLaw(T fractal_dimension)
         : ElasticLaw<T>(4 * detail::fractal_stiffness_factor(fractal_dimension) / 3,
-                        2 * detail::fractal_stiffness_factor(fractal_dimension),
-                        detail::log_stiffness_factor_slope(fractal_dimension),
-                        detail::log_stiffness_factor_slope(fractal_dimension)) {}
+                        2 * detail::fractal_stiffness_factor(fractal_dimension)) {}
 };
 
 }}  // namespace fstiff

@@ -59,9 +59,6 @@ public:
     [[nodiscard]] constexpr T load_factor() const { return load_factor_; }
     [[nodiscard]] static constexpr T stiffness_factor() { return 2 * std::numbers::sqrt2_v<T>; }
     [[nodiscard]] static constexpr T area_factor() { return 2 * std::numbers::pi_v<T>; }
-    /// d ln load/dD and d ln stiffness/dD: there is no D here.
-    [[nodiscard]] static constexpr T log_load_slope() { return T(0); }
-    [[nodiscard]] static constexpr T log_stiffness_slope() { return T(0); }
     /// Nominal pressures stay below the hardness, at which all of the nominal area is in contact [Pa].
     [[nodiscard]] constexpr T pressure_limit() const { return hardness_; }
 

@@ -43,7 +43,4 @@ FSTIFF_DOUBLE TangentialLaw<double>::Response<2> TangentialLaw<double>::step(con
                                                                              const TangentialLaw<double>::Vector<2>&,
                                                                              SlipState<double, 2>&) const;
 
-FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, HertzLaw<double>>&, double);
-FSTIFF_DOUBLE Sensitivity<double> sensitivity(const RoughContact<double, FractalLaw<double>>&, double);
-
 }}  // namespace fstiff

@@ -48,12 +48,14 @@ FSTIFF_DOUBLE class detail::KinkedTables<double>;
 FSTIFF_DOUBLE class detail::KinkedTabulator<double>;
 FSTIFF_DOUBLE detail::LawTables<double> detail::tables_of(const detail::LawModel<double>&, double, double);
 
-FSTIFF_DOUBLE double detail::visit_nodes(
-    const detail::PeakProblem<double>&, double,
-    detail::DerivativeAccumulator<HertzLaw<double>::load_powers, HertzLaw<double>::stiffness_powers, double>&);
 FSTIFF_DOUBLE math::SingularVectors<double> math::singular_vectors(Eigen::MatrixXd);
-FSTIFF_DOUBLE class detail::CurveProblem<double>;
+FSTIFF_DOUBLE class detail::CurveModel<double>;
 FSTIFF_DOUBLE class detail::FitSummary<double>;
+FSTIFF_DOUBLE Identification<double> detail::identify_curve(const std::vector<Observation<double>>&,
+                                                            const std::vector<Parameter>&,
+                                                            const ContactParameters<double>&,
+                                                            const detail::CurveOfParameters<double>&,
+                                                            IdentifyOptions<double>);
 FSTIFF_DOUBLE math::LeastSquaresFit<double> math::least_squares(const Eigen::VectorXd&, Eigen::Index,
                                                                 const detail::FitCurve<double>&,
                                                                 const math::LeastSquaresOptions<double>&);

@@ -10,7 +10,6 @@
 #include <fstiff/measure/measure.hpp>
 #include <fstiff/measure/parameters.hpp>
 #include <fstiff/measure/sections.hpp>
-#include <fstiff/profile/all_lags.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include <fstiff/profile/fractal_fit.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
@@ -40,8 +39,6 @@ FSTIFF_DOUBLE FractalFit<double> detail::fit_measured(const MeasuredStructureFun
                                                       const FractalFitOptions<double>&, double);
 FSTIFF_DOUBLE FractalFit<double> detail::fit_profile(const Profile<double>&, const FractalFitOptions<double>&);
 FSTIFF_DOUBLE DirectionalFit<double> detail::fit_directions(const HeightMap<double>&, const FractalFitOptions<double>&);
-FSTIFF_DOUBLE StructureFunction<double> detail::structure_function_at_all_lags(const Profile<double>&, std::size_t,
-                                                                               Divisor);
 FSTIFF_DOUBLE PowerSpectrum<double> power_spectrum(const Profile<double>&, SpectrumWindow);
 FSTIFF_DOUBLE Autocorrelation<double> autocorrelation(const Profile<double>&);
 FSTIFF_DOUBLE RoughnessParameters<double> roughness_parameters(const Profile<double>&, std::optional<double>);

@@ -7,14 +7,15 @@
 ///
 /// surface/parameter.hpp defines the fitted variable of each parameter; intervals are symmetric in it. Without
 /// errors e_i all points count alike and the covariance is scaled by chi^2. At most two of sigma, E D_p sqrt(R) and D
-/// can be found (docs/theory-numerics.md): a fit that asks for more is singular and names the parameters; one at an
-/// end of D, r or theta is at_bound.
+/// can be found (docs/theory-numerics.md): a fit that asks for more is singular, by a singular value of the scaled
+/// slopes below 1e-5 of the largest, and names the parameters; one at an end of D, r or theta is at_bound.
 ///
-/// Reference   this project; the derivatives of contact/sensitivity.hpp and wave/spring_interface.hpp
+/// Reference   this project
 /// Units       SI
-/// Valid       as contact/sensitivity; pressures p_i + p_0 > 0; the length of an interaction is held
+/// Valid       as the contact; pressures p_i + p_0 > 0; the length of an interaction is held
 /// Accuracy    the truth lies in the 95 % interval in 95 +- 4 of 100 runs (tests/identify/identify_test.cpp)
 
+#include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/identify/fit_problem.hpp>
 #include <fstiff/math/least_squares.hpp>
 #include <fstiff/math/random.hpp>
@@ -213,8 +214,8 @@ using FitCurve =
                        typename math::LeastSquaresFit<T>::Matrix&)>;
 
 /// Searches from where \p model begins.
-template <Real T, class Model>
-[[nodiscard]] Identification<T> fit_of(Model& model, const ContactParameters<T>& start,
+template <Real T>
+[[nodiscard]] Identification<T> fit_of(CurveModel<T>& model, const ContactParameters<T>& start,
                                        const math::LeastSquaresOptions<T>& search) {
     const auto points = static_cast<Eigen::Index>(model.data().size());
     const FitCurve<T> evaluate = [&model](const auto& u, auto& f, auto& j) { return model(u, f, j); };
@@ -233,17 +234,37 @@ template <Real T, class Model>
     return out;
 }
 
+/// Fits \p parameters of \p curve to \p data, from \p start. \p options.contact is not used.
+/// \throws domain_error for data or starting values that no model has, and for fewer points than parameters.
+template <Real T>
+[[nodiscard]] Identification<T> identify_curve(const std::vector<Observation<T>>& data,
+                                               const std::vector<Parameter>& parameters,
+                                               const ContactParameters<T>& start, const CurveOfParameters<T>& curve,
+                                               IdentifyOptions<T> options = {}) {
+    options.search.singular_value = (std::max)(options.search.singular_value, T(1e-5));
+    options.search.residual_floor = (std::max)(options.search.residual_floor, T(1e-8));
+    CurveModel<T> model(data, parameters, start, curve, options.wave);
+    return fit_of(model, start, options.search);
+}
+
 }  // namespace detail
 
 /// Fits parameters of a contact to \p data, from \p start. \p parameters lists them. \p law(D) makes the asperity law,
 /// such as [](T dimension) { return FractalLaw<T>(dimension); }. \throws domain_error for data or starting values that
-/// no model has, fewer points than parameters, and a D to be fitted where the law is no DimensionalLaw.
+/// no model has, and fewer points than parameters.
 template <Real T, class MakeLaw>
 [[nodiscard]] Identification<T> identify(const std::vector<Observation<T>>& data,
                                          const std::vector<Parameter>& parameters, const ContactParameters<T>& start,
                                          const MakeLaw& law, const IdentifyOptions<T>& options = {}) {
-    detail::CurveModel<T, MakeLaw> model(data, parameters, start, law, options.wave, options.contact);
-    return detail::fit_of(model, start, options.search);
+    const detail::CurveOfParameters<T> curve = [&](const ContactParameters<T>& x, std::span<const T> pressures) {
+        const RoughContact contact(Roughness<T>{x.rms_height, x.peak_radius, x.peak_density, T(0)},
+                                   PeakDistribution<T>(x.r, x.theta), law(x.fractal_dimension), x.effective_modulus,
+                                   options.contact);
+        std::vector<T> stiffness;
+        for (const T p : pressures) stiffness.push_back(contact.at_pressure(p, Quantity::stiffness).stiffness.value);
+        return stiffness;
+    };
+    return detail::identify_curve(data, parameters, start, curve, options);
 }
 
 }}  // namespace fstiff

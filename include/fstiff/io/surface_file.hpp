@@ -4,10 +4,10 @@
 /// Reader of measured files: a profile or a map, the recognised form and all decisions. Compiled: link fstiff::io.
 ///
 /// First bytes identify surface data files (SDF), X3P, NumPy, Gwyddion, Digital Surf, profiles of ISO 5436-2, and maps
-/// of Zygo, Keyence, Wyko, Alicona and Sensofar; size or first words identify triangles (STL); the columns of the first
-/// row identify text: 1 or 2 a profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix
-/// unless titles or SurfaceOptions::column name columns of a profile. An ambiguous file is refused with the option
-/// `format` that decides. Rules of text and of each form: docs/formats.md.
+/// of Zygo, Keyence, Wyko, Alicona and Sensofar; the columns of the first row identify text: 1 or 2 a profile, 3
+/// triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix unless titles or SurfaceOptions::column
+/// name columns of a profile. An ambiguous file is refused with the option `format` that decides. Rules of text and of
+/// each form: docs/formats.md.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are those of the file
 /// Valid       profiles of at least 16 points, maps of at least 2 points a side, heights that vary; files up to 2^31
@@ -50,7 +50,6 @@ enum class SurfaceFormat {
     al3d,
     plu,
     plux,
-    stl,
     netcdf,
     opdx
 };
@@ -73,8 +72,8 @@ inline constexpr auto enum_names<io::SurfaceFormat> = fstiff::detail::name_list<
     {io::SurfaceFormat::smd, "smd"},         {io::SurfaceFormat::metropro, "metropro"},
     {io::SurfaceFormat::vk4, "vk4"},         {io::SurfaceFormat::opd, "opd"},
     {io::SurfaceFormat::al3d, "al3d"},       {io::SurfaceFormat::plu, "plu"},
-    {io::SurfaceFormat::plux, "plux"},       {io::SurfaceFormat::stl, "stl"},
-    {io::SurfaceFormat::netcdf, "netcdf"},   {io::SurfaceFormat::opdx, "opdx"},
+    {io::SurfaceFormat::plux, "plux"},       {io::SurfaceFormat::netcdf, "netcdf"},
+    {io::SurfaceFormat::opdx, "opdx"},
 });
 template <>
 inline constexpr auto enum_names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
@@ -108,7 +107,7 @@ struct X3pLimits {
 /// Options of the readers; only those that apply to the form may be given.
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
-    std::string units{};  ///< of text, npy, stl: "um,nm" (lengths, heights), "um" (both); replaces the header's
+    std::string units{};               ///< of text, npy: "um,nm" (lengths, heights), "um" (both); replaces the header's
     std::optional<double> spacing{};   ///< of a profile, of npy of a map too [m]; replaces the positions of the file
     std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
     std::size_t x_column = 0;          ///< of a profile, with the positions, counted from 1; 0: the first that may be

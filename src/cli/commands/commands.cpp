@@ -66,9 +66,6 @@ the most islands.)",
       --shortest "8 um" --longest "32 um" |
       fstiff measure --show islands -)",
      add_islands},
-    {"measure --show peaks", "", "Density of peak heights and curvatures: parameters, moments, height marginal",
-     "Heights are in rms heights, curvatures in rms curvatures of the ordinates.",
-     "  fstiff measure --show peaks --r 0.5 --theta pi/3 --heights=-4,4,9", add_peaks},
     {"measure --show spectrum", "", "Power spectral density or autocorrelation of a measured profile or map",
      "For a map: C(q) over all directions, and the mean of its sections along x and along y. The CSV holds every "
      "value.",

@@ -15,7 +15,6 @@ Command add_ultrasound(Arguments& command);
 Command add_measure(Arguments& command);
 Command add_fit(Arguments& command);
 Command add_islands(Arguments& command);
-Command add_peaks(Arguments& command);
 Command add_spectrum(Arguments& command);
 Command add_generate(Arguments& command);
 Command add_identify(Arguments& command);

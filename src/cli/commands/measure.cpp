@@ -79,8 +79,8 @@ Command add_measure(Arguments& command) {
     command.option(
         "--show", options->show,
         {.help = "another analysis of the file, with its own options (--show fit --help lists them): fit (D and G), "
-                 "islands (for a map), peaks (for a profile) or spectrum",
-         .words = {"fit", "islands", "peaks", "spectrum"}});
+                 "islands (for a map) or spectrum",
+         .words = {"fit", "islands", "spectrum"}});
     add_output_options(command, options->output, document::Format::json);
     return {&options->output, [options] { return execute(*options); }};
 }

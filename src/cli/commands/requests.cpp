@@ -5,7 +5,6 @@
 #include "actions/generate.hpp"
 #include "actions/identify.hpp"
 #include "actions/islands.hpp"
-#include "actions/peak_density.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/truth.hpp"
 #include "actions/ultrasound.hpp"
@@ -113,16 +112,6 @@ Command add_islands(Arguments& command) {
                        {.help = "map, as fstiff formats lists them; - is standard input", .required = true});
         add_surface_options(command, given.request.surface, surface::SurfaceKind::map);
         command.fields(given.request);
-    });
-}
-
-Command add_peaks(Arguments& command) {
-    return request_command<actions::PeakDensityRequest>(command, [&](auto& given) {
-        given.request.profile = "--profile";
-        command.fields(given.request);
-        command.option("profile,--profile", given.request.surface.file,
-                       {.help = "measured profile, as fstiff formats lists them; - is standard input"});
-        add_surface_options(command, given.request.surface, surface::SurfaceKind::profile);
     });
 }
 
