@@ -89,7 +89,7 @@ PlotLine line_of(const DrawnCurve& curve, const AnswerQuantity& quantity, const 
 /// \p quantity of \p curves against the pressure, with marks at the few points of a scene.
 Panel panel_of(const std::vector<DrawnCurve>& curves, const AnswerQuantity& quantity, std::string title,
                const actions::Units& units) {
-    const document::Heading heading = heading_of({&quantity}, units);
+    const document::Heading heading = actions::heading_of({&quantity}, units);
     Panel panel{.title = std::move(title),
                 .x = {units.at("Pa").heading("nominal pressure p")},
                 .y = {heading.shown},
