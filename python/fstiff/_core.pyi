@@ -149,6 +149,7 @@ def sweep(
     numbers: dict[str, _Numbers],
     surface: str,
     measured: Measured | None,
+    rows: tuple[int, int] | None,
     threads: int,
 ) -> dict[str, Any]: ...
 def export(scene: Scene, options: dict[str, Any]) -> tuple[str, list[str], bool]: ...

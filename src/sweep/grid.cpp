@@ -4,7 +4,6 @@
 #include "document/file.hpp"
 #include "sweep/template.hpp"
 
-#include <fstiff/core/version.hpp>
 #include <fstiff/io/quantities.hpp>
 
 #include <array>
@@ -278,18 +277,6 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Swept>& swept
     return size;
 }
 
-/// Appends the sha256 of \p file to \p text, and of the files of a folder.
-void add_hash(std::string& text, const std::filesystem::path& file) {
-    const auto hash = [](const auto& member) {
-        return document::sha256(document::read_all(document::name_of_path(member))) + "\n";
-    };
-    if (!std::filesystem::is_directory(file)) return void(text += hash(file));
-    std::set<std::filesystem::path> inside;
-    for (const auto& entry : std::filesystem::directory_iterator(file))
-        if (entry.is_regular_file()) inside.insert(entry.path());
-    for (const auto& member : inside) text += document::name_of_path(member.filename()) + " " + hash(member);
-}
-
 /// Appends the files that \p node names at the keys from and mask to \p files.
 void add_files(const Source& source, const toml::node& node, bool is_file, std::vector<std::string>& files) {
     if (const auto* table = node.as_table()) {
@@ -328,6 +315,12 @@ void Grid::values(std::uint64_t index, std::vector<Value>& values) const {
     }
 }
 
+void Grid::require(const Rows& rows, const std::string& shown) const {
+    if (rows.first >= rows.end || rows.end > size)
+        throw document::option_error(shown + ", whole numbers with 0 <= FROM < TO <= " + std::to_string(size) +
+                                     ", the scenes of " + file);
+}
+
 Grid read_grid(const std::string& text, const std::string& file, const Given& given) {
     Source source{file, {}};
     toml::table root = request::parse_toml(text, file);
@@ -363,10 +356,10 @@ Grid read_grid(const std::string& text, const std::string& file, const Given& gi
     }
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);
     grid.size = count_scenes(source, finder.axes, grid);
-    std::string hashed = "fstiff sweep " FSTIFF_VERSION_TEXT "\n" + document::sha256(text) + "\n";
     if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, grid.files);
-    for (const std::string& named : grid.files) add_hash(hashed, named);
-    grid.hash = document::sha256(hashed);
+    for (const std::string& named : grid.files)
+        if (!std::filesystem::exists(document::path_of(named)))
+            throw file_error(named, "no such file; the input must be an existing file");
     root.erase("sweep");
     form->root = std::move(root);
     grid.form = std::move(form);

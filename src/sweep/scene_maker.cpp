@@ -2,7 +2,6 @@
 #include "sweep/scene_maker.hpp"
 
 #include "scene/readers.hpp"
-#include "sweep/scene_table.hpp"
 #include "sweep/template.hpp"
 
 #include <algorithm>
