@@ -19,16 +19,20 @@
 namespace fstiff::scene {
 namespace {
 
-std::vector<std::string_view> body_keys() {
-    static const fstiff::Body none;
-    std::vector<std::string_view> keys{"name"};
-    each_field(none, [&](std::string_view name, const auto&, const NumberFacts&) { keys.push_back(name); });
+const std::vector<std::string_view>& body_keys() {
+    static const auto keys = [] {
+        std::vector<std::string_view> all{"name"};
+        fstiff::Body none;
+        each_field(none, [&](std::string_view name, auto&, const NumberFacts&) { all.push_back(name); });
+        return all;
+    }();
     return keys;
 }
 
 /// Refuses a key of a body in [material] itself, naming the section that takes it.
 void refuse_keys_of_body(const Source& source, const toml::table& material) {
     for (const auto& [key, node] : material) {
+        if (key.str() == "upper" || key.str() == "lower") continue;
         const std::string_view meant = request::meant_key(key.str(), std::array<std::string_view, 2>{"upper", "lower"});
         const std::string_view of_body = request::meant_key(key.str(), body_keys());
         if (!meant.empty() || of_body.empty()) continue;

@@ -17,15 +17,19 @@ namespace {
 
 const JointFace no_face{};  // of which names and facts are read
 
-/// The keys of the number \p name, and of the others that are the same number in another way.
-std::vector<std::string_view> ways_of(std::string_view name, const NumberFacts& facts) {
-    std::vector<std::string_view> keys;
-    each_field(no_face, [&](std::string_view other, const auto&, const NumberFacts& its) {
-        if (other != name && (!facts.error || its.error != facts.error)) return;
-        keys.push_back(other);
-        keys.insert(keys.end(), its.words.begin(), its.words.end());
+/// The keys of each number, in the order of each_field(): its own, and those of the numbers that are the same in another
+/// way.
+std::vector<std::vector<std::string_view>> all_ways() {
+    std::vector<std::vector<std::string_view>> all;
+    each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+        std::vector<std::string_view>& keys = all.emplace_back();
+        each_field(no_face, [&](std::string_view other, const auto&, const NumberFacts& its) {
+            if (other != name && (!facts.error || its.error != facts.error)) return;
+            keys.push_back(other);
+            keys.insert(keys.end(), its.words.begin(), its.words.end());
+        });
     });
-    return keys;
+    return all;
 }
 
 /// The key by which \p surface writes the number \p name; empty: it does not.
@@ -77,12 +81,15 @@ bool is_measured(const JointFace& face, std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string_view> number_keys() {
-    std::vector<std::string_view> keys;
-    each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
-        keys.push_back(name);
-        keys.insert(keys.end(), facts.words.begin(), facts.words.end());
-    });
+const std::vector<std::string_view>& number_keys() {
+    static const auto keys = [] {
+        std::vector<std::string_view> all;
+        each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+            all.push_back(name);
+            all.insert(all.end(), facts.words.begin(), facts.words.end());
+        });
+        return all;
+    }();
     return keys;
 }
 
@@ -95,9 +102,11 @@ std::string key_of_number(const Section& surface, std::string_view name) {
 }
 
 std::vector<Following> read_numbers(Source& source, const Section& surface, JointFace& face) {
+    static const auto ways = all_ways();
     std::vector<Following> following;
+    auto own = ways.begin();
     each_field(face, [&](std::string_view name, std::optional<double>& value, const NumberFacts& facts) {
-        const std::string_view first = surface.one_of(ways_of(name, facts)), key = written_key(surface, name, facts);
+        const std::string_view first = surface.one_of(*own++), key = written_key(surface, name, facts);
         if (first.empty() && name == "rms_height" && !face.measured)
             (void)surface.at(name,
                              "is missing; the scene needs the height of the surface: rms_height, Rq, Sq, Ra or Sa");

@@ -66,7 +66,7 @@ struct Following {
     double value;  ///< as it is written
 };
 /// The keys of the numbers of a face, and the one by which \p surface writes the number \p name; empty: it does not.
-[[nodiscard]] std::vector<std::string_view> number_keys();
+[[nodiscard]] const std::vector<std::string_view>& number_keys();
 [[nodiscard]] std::string key_of_number(const Section& surface, std::string_view name);
 /// Reads the numbers of a face, and their standard errors. \return those that follow from what is written.
 [[nodiscard]] std::vector<Following> read_numbers(Source& source, const Section& surface, JointFace& face);
