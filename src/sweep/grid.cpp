@@ -99,6 +99,8 @@ std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, c
                                                          const std::string& first_key, const std::string& second_key) {
     const auto finite = [&](const toml::node& node, const std::string& key) {
         const auto number = quantity_of(source, node, key, axis);
+        if (const auto known = dimension_of_key(axis); !number && known && node.is_string())
+            source.located(node, [&] { return io::parse_quantity(request::written(node), *known, key); });
         if (!number || !std::isfinite(number->value))
             source.refuse(node, key, "must be a finite number, or a text of a number and its unit such as \"0.8 um\"");
         return *number;

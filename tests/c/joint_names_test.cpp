@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers of fstiff_joint by their names: every field of the library, and the numbers of C++ to the last digit.
-#include "c/guard.hpp"
+#include <fstiff.h>
 
 #include "support/catch.hpp"
 
