@@ -170,17 +170,15 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     const ReadBody lower = second ? read_material(source, *second, material.key("lower")) : upper;
     if (!second) source.record_default("material.lower", "as material.upper");
     scene.upper_name = upper.name, scene.lower_name = lower.name;
-    scene.upper_body = upper.body, scene.lower_body = lower.body;
-    take_bodies(upper.body, lower.body, {}, scene.joint);
+    scene.given.upper = upper.body, scene.given.lower = lower.body;
     scene.joint.is_given.heat = upper.gives_heat || lower.gives_heat;
     scene.joint.is_given.current = upper.gives_current || lower.gives_current;
-    detail::take_conductivities(upper.body, lower.body, scene.joint.conduction);
     warn_of_strength(upper, "upper", scene);
     if (second) warn_of_strength(lower, "lower", scene);
     if (!assumed) return;
     for (Input& input : source.inputs)
         if (input.key == "material.upper") input.given = false;
-    scene.assumptions.push_back("both bodies steel, " + shown(scene.joint.upper));
+    scene.assumptions.push_back("both bodies steel, " + shown(upper.body.elastic));
 }
 
 namespace {
@@ -258,14 +256,14 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
         source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
     const auto sides = [&](const char* name) { return section.find(name) ? &section.subtable(name) : nullptr; };
     const toml::table *first = sides("upper"), *second = sides("lower");
-    if (!first && !scene.upper_body.density) static_cast<void>(section.subtable("upper"));  // which refuses it
-    Body upper = read_body(source, first, "upper", scene.upper_body, scene.upper_name, scene);
+    if (!first && !scene.given.upper.density) static_cast<void>(section.subtable("upper"));  // which refuses it
+    Body upper = read_body(source, first, "upper", scene.given.upper, scene.upper_name, scene);
     Body lower = upper;
     const auto waves_of = [](const fstiff::Body& body) {
         return std::tuple(body.density, body.velocity, body.shear_velocity);
     };
-    if (second || (scene.lower_body.density && waves_of(scene.lower_body) != waves_of(scene.upper_body))) {
-        lower = read_body(source, second, "lower", scene.lower_body, scene.lower_name, scene);
+    if (second || (scene.given.lower.density && waves_of(scene.given.lower) != waves_of(scene.given.upper))) {
+        lower = read_body(source, second, "lower", scene.given.lower, scene.lower_name, scene);
         if (upper.is_shear_usual && !lower.shear_impedance) upper.shear_impedance.reset();
         if (lower.is_shear_usual && !upper.shear_impedance) lower.shear_impedance.reset();
         if (upper.shear_impedance.has_value() != lower.shear_impedance.has_value())
@@ -276,7 +274,7 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     }
     waves.longitudinal = {upper.impedance, lower.impedance};
     if (upper.shear_impedance) waves.shear = {*upper.shear_impedance, *lower.shear_impedance};
-    scene.joint.ultrasound = waves;
+    scene.given.waves = waves;
 }
 
 namespace {
@@ -314,7 +312,7 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
                 section.refuse(key, "must not be given with " + section.key(of_gas));
     section.read(fields);
     if (gap.emissivity) static_cast<void>(section.at("temperature"));
-    Conduction& conduction = scene.joint.conduction;
+    Conduction& conduction = scene.given.conduction;
     if (!gap.medium.empty()) {
         const auto& filling =
             *std::find_if(detail::named_media.begin(), detail::named_media.end(),
@@ -333,7 +331,7 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
 }
 
 void read_friction(Source& source, const toml::table& table, Scene& scene) {
-    Friction& friction = scene.joint.friction.emplace();
+    Friction& friction = scene.given.friction.emplace();
     std::vector<std::string_view> keys;
     each_field(friction, [&](std::string_view name, auto&, const NumberFacts&) { keys.push_back(name); });
     const Section section(source, table, "friction", keys);

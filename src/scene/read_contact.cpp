@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace fstiff::scene {
 
@@ -93,7 +94,7 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
 void read_area(Source& source, const Section& contact, Scene& scene, bool replaced) {
     const toml::node* washer = contact.find("washer");
     if (!(source.builtin && replaced))
-        scene.joint.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
+        scene.given.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
     if (!washer) return;
     const std::string key = contact.key("washer");
     (void)contact.one_of(std::array<std::string_view, 2>{"nominal_area", "washer"});
@@ -108,18 +109,16 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
     const double area = std::numbers::pi / 4 * (outer - inner) * (outer + inner);
     if (!(area > 0) || !std::isfinite(area))
         source.refuse(*washer, key, "must have an area in the range of double precision");
-    scene.joint.nominal_area = area;
+    scene.given.nominal_area = area;
     scene.joint.is_given.force = true;
     source.record(contact.key("nominal_area"), "of the washer, pi/4 (outer^2 - inner^2)", area,
                   si_unit(Dimension::area));
 }
 
 /// The ball of contact.ball_radius, and the pressures of its law.
-void read_ball(const Section& root, const Section& contact, double radius, Scene& scene) {
+void read_ball(const Section& contact, double radius, Scene& scene) {
     for (const char* other : {"nominal_area", "washer", "laws"})
         (void)contact.one_of(std::array<std::string_view, 2>{"ball_radius", other});
-    for (const char* other : {"gap", "friction", "ultrasound"})
-        if (root.find(other)) contact.refuse("ball_radius", "must not be given with the section " + std::string(other));
     scene.ball = {radius, std::move(scene.points)};
     try {
         scene.points = detail::ball_pressures(radius, scene.joint.effective_modulus, scene.ball->forces);
@@ -130,7 +129,7 @@ void read_ball(const Section& root, const Section& contact, double radius, Scene
 }
 
 /// The pressures, separations or forces of the scene; forces over the nominal area are pressures.
-void read_points(Source& source, const Section& root, const Section& contact, Scene& scene) {
+void read_points(Source& source, const Section& contact, Scene& scene) {
     struct Kind {
         std::string_view name;
         Dimension dimension;
@@ -158,7 +157,7 @@ void read_points(Source& source, const Section& root, const Section& contact, Sc
     const auto radius = contact.optional_positive("ball_radius", Dimension::length);
     if (radius && kind->dimension != Dimension::force)
         contact.refuse("ball_radius", "needs contact.force, the load of the ball, in place of " + key);
-    if (radius) return read_ball(root, contact, *radius, scene);
+    if (radius) return read_ball(contact, *radius, scene);
     if (kind->dimension != Dimension::force) return;
     if (!scene.joint.nominal_area)
         throw domain_error(scene.points_where + "needs " + contact.key("nominal_area") + ", or " +
@@ -219,19 +218,19 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
     }
     if (!node->is_table()) source.refuse(*node, key, allowed);
     const Section table(source, *node->as_table(), key, {"reading", "length"});
-    source.read(table.at("reading"), table.key("reading"), scene.joint.reading);
+    source.read(table.at("reading"), table.key("reading"), scene.given.interaction.reading);
 
     const toml::node* length = table.find("length");
     const std::string text = length && length->is_string() ? written(*length) : length ? "" : "nominal";
-    if (const auto by = detail::find_named<detail::InteractionLength>(text)) {
-        scene.joint.length = *by;
+    using Length = Joint::InteractionLength;
+    if (const auto by = detail::find_named<Length>(text)) {
+        scene.given.interaction_length = *by;
         length ? source.record(table.key("length"), text) : source.record_default(table.key("length"), "nominal");
     } else {
-        scene.joint.length = detail::InteractionLength::given;
-        scene.joint.given_length = source.positive(*length, table.key("length"), Dimension::length);
+        scene.given.interaction.length = source.positive(*length, table.key("length"), Dimension::length);
     }
-    if (scene.joint.reading != InteractionReading::none && scene.joint.length == detail::InteractionLength::nominal &&
-        !scene.joint.nominal_area)
+    if (scene.given.interaction.reading != InteractionReading::none &&
+        scene.given.interaction_length == Length::nominal && !scene.given.nominal_area)
         throw domain_error(source.at(*node) + ": " + contact.key("nominal_area") +
                            ": is missing; interaction length \"nominal\" is its square root");
 }
@@ -307,16 +306,29 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawKind law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
-    if (const auto spectrum = scene.joint.law_options.spectrum)
-        scene.joint.face.write(
-            [&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
     std::vector<std::string_view> keys{"nominal_area", "washer",      "ball_radius", "pressures",
                                        "pressure",     "separations", "force",       "seating",
                                        "laws",         "peaks",       "interaction"};
     for (const LawKind law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
+    const std::pair<const char*, void (*)(Source&, const toml::table&, Scene&)> sections[]{
+        {"gap", read_gap}, {"friction", read_friction}, {"ultrasound", read_ultrasound}};
+    for (const auto& [name, read] : sections) {
+        if (!root.find(name)) continue;
+        if (contact.find("ball_radius"))
+            contact.refuse("ball_radius", "must not be given with the section " + std::string(name));
+        read(source, root.subtable(name), scene);
+    }
     read_area(source, contact, scene, replaced);
-    read_points(source, root, contact, scene);
+    read_interaction(source, contact, scene);
+    const auto is_given = scene.joint.is_given;
+    scene.joint =
+        with_faces(scene.given, std::move(scene.joint.face), std::move(scene.joint.faces), scene.joint.law_options);
+    scene.joint.is_given = is_given;
+    if (const auto spectrum = scene.joint.law_options.spectrum)
+        scene.joint.face.write(
+            [&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
+    read_points(source, contact, scene);
     read_laws(source, root, contact, scene, replaced);
     for (const LawKind law : laws_with_options)  // checked, though no law of the scene takes them
         if (!is_shared(law) && contact.find(name_of(law)) &&
@@ -324,7 +336,6 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
                          [&](const detail::Law* known) { return known->which == law; }))
             read_law_options(source, root, law, scene);
     read_peaks(source, contact, scene, replaced);
-    read_interaction(source, contact, scene);
 }
 
 }  // namespace fstiff::scene

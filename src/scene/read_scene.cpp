@@ -272,9 +272,6 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
         warn_of_hurst(*face, (scene.joint.faces.empty() ? "" : "surface.") + std::string(name), scene.warnings);
     warn_of_gradients(scene);
     warn_of_units(scene);
-    if (top.find("gap")) read_gap(source, top.subtable("gap"), scene);
-    if (top.find("friction")) read_friction(source, top.subtable("friction"), scene);
-    if (top.find("ultrasound")) read_ultrasound(source, top.subtable("ultrasound"), scene);
     scene.inputs.swap(source.inputs);  // which quantities look at
     read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
     scene.inputs.insert(scene.inputs.end(), source.inputs.begin(), source.inputs.end());

@@ -41,7 +41,8 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene);
 /// Reads [gap]: what fills it, what crosses it, and the films on the spots.
 void read_gap(Source& source, const toml::table& table, Scene& scene);
 void read_friction(Source& source, const toml::table& table, Scene& scene);
-/// Reads [contact] of \p root, with the sections of its laws. \p replaced: the surface is not that of the scene.
+/// Reads [contact] of \p root, with the sections of its laws, and of what crosses it, and resolves the joint.
+/// \p replaced: the surface is not that of the scene.
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);
 /// The keys of a bearing curve, the first of them that is there, and what they make of \p of.
 [[nodiscard]] std::vector<std::string_view> bearing_keys();

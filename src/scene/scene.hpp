@@ -74,6 +74,7 @@ struct NumberOf {
 
 /// A joint, what is asked of it, and the text that both come from.
 struct Scene {
+    Joint given;  ///< as it is written, but for the faces
     detail::ResolvedJoint joint;
     std::string name;
     std::string file;    ///< as given, or "built-in scene"
@@ -111,8 +112,6 @@ struct Scene {
     [[nodiscard]] bool asks(std::string_view word) const { return quantities.find(word) != quantities.end(); }
     /// Whether K is computed, though it may not be shown.
     [[nodiscard]] bool needs_stiffness() const;
-
-    Body upper_body, lower_body;
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
     std::vector<Input> inputs;       ///< every key that was written or filled in by a default

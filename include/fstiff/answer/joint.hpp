@@ -145,6 +145,8 @@ struct Joint {
     std::optional<double> nominal_area{};  ///< [m^2], above 0
     int shifts = 4;                        ///< of the map of the other face over that of the first, where both are maps
     Interaction<double> interaction{};  ///< of the peaks, for laws that are named; those of the answer have their own
+    /// Length of the interaction: as it is given, the root of the nominal area, or 1/sqrt(D_p).
+    enum class InteractionLength { given, nominal, peak_spacing } interaction_length = InteractionLength::given;
     std::optional<UltrasonicWaves> waves{};
     Conduction conduction{};
     std::optional<Friction> friction{};

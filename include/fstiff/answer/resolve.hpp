@@ -13,8 +13,9 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 /// \p joint resolved. Two maps have the shifts that a scene has: those of the seed of Request, whatever the draws have.
 /// \throws domain_error naming the member that is out of range.
 [[nodiscard]] ResolvedJoint problem_of(const Joint& joint, const LawOptions& options);
-/// Gives \p conduction the conductivities of both bodies where it has none.
-void take_conductivities(const Body& upper, const Body& lower, Conduction& conduction);
+/// The same of the rough face \p face, which is the sum of \p faces where there are two, but for the peaks.
+[[nodiscard]] ResolvedJoint with_faces(const Joint& joint, Face face, std::vector<Face> faces,
+                                       const LawOptions& options);
 /// The joint peaks that were measured or given of the surface; where none are, those of the paper.
 void take_peaks(ResolvedJoint& problem);
 

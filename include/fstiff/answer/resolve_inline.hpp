@@ -247,6 +247,7 @@ FSTIFF_INLINE void require_body(const Body& body, bool elastic) {
                 range->middle, "between its ends, which are above 0");
 }
 
+/// Gives \p conduction the conductivities of both bodies where it has none.
 FSTIFF_INLINE void take_conductivities(const Body& upper, const Body& lower, Conduction& conduction) {
     const auto take = [](const Given& a, const Given& b, Given& of_both) {
         if (!of_both && a && b) of_both = joint_conductivity(*a, *b);
@@ -278,31 +279,42 @@ FSTIFF_INLINE UltrasonicWaves waves_of(const Joint& joint) {
 }
 
 FSTIFF_INLINE ResolvedJoint problem_of(const Joint& joint, const LawOptions& options) {
+    std::vector<Face> faces;
+    Face face = face_of(joint.face);
+    require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
+    if (joint.other) {
+        faces = {std::move(face), of_part("other", [&] { return face_of(*joint.other); })};
+        face = sum_of_faces(faces[0], faces[1], joint.shifts, Request().seed);
+    }
+    ResolvedJoint problem = with_faces(joint, std::move(face), std::move(faces), options);
+    take_peaks(problem);
+    return problem;
+}
+
+FSTIFF_INLINE ResolvedJoint with_faces(const Joint& joint, Face face, std::vector<Face> faces,
+                                       const LawOptions& options) {
     of_part("upper", [&] { require_body(joint.upper, !joint.effective_modulus); });
     of_part("lower", [&] { require_body(joint.lower, !joint.effective_modulus); });
     require_fields(joint);
     require(options.gamma > 0 && options.gamma <= 1, "gamma", options.gamma, "greater than 0 and at most 1");
     require(options.points >= 16 && options.points <= 4096, "grid", options.points, "from 16 to 4096");
-    require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
-    joint.interaction.validate();
+    if (joint.interaction_length == Joint::InteractionLength::given) joint.interaction.validate();
+    if (joint.interaction.reading != InteractionReading::none &&
+        joint.interaction_length == Joint::InteractionLength::nominal && !joint.nominal_area)
+        throw domain_error(Refusal{.parameter = "interaction_length", .reason = "needs nominal_area"});
     require_surroundings(joint);
     ResolvedJoint problem;
-    problem.face = face_of(joint.face);
-    if (joint.other) {
-        problem.faces = {problem.face, of_part("other", [&] { return face_of(*joint.other); })};
-        problem.face = sum_of_faces(problem.faces[0], problem.faces[1], joint.shifts, Request().seed);
-    }
+    problem.face = std::move(face), problem.faces = std::move(faces);
     take_bodies(joint.upper, joint.lower, joint.effective_modulus, problem);
     problem.nominal_area = joint.nominal_area;
     problem.law_options = options;
     problem.reading = joint.interaction.reading;
-    problem.length = InteractionLength::given;
+    problem.length = joint.interaction_length;
     problem.given_length = joint.interaction.length;
     if (joint.waves) problem.ultrasound = waves_of(joint);
     problem.conduction = joint.conduction;
     take_conductivities(joint.upper, joint.lower, problem.conduction);
     problem.friction = joint.friction;
-    take_peaks(problem);
     return problem;
 }
 

@@ -28,8 +28,6 @@ struct Peaks {
 /// \throws domain_error naming the place of the value that no peak density has.
 [[nodiscard]] PeakDistribution<double> peak_density(const Peaks& peaks);
 
-enum class InteractionLength { nominal, peak_spacing, given };
-
 /// A joint, resolved. A surface drawn at random, a neighbour and an unknown at its end are the same with another face.
 struct ResolvedJoint {
     Face face;                          ///< that a smooth one meets: the rough one, or the sum of two
@@ -44,8 +42,8 @@ struct ResolvedJoint {
     bool default_peaks =
         false;  ///< `peaks` are those of the paper: none were given, and those of the face are not known
     InteractionReading reading = InteractionReading::none;
-    InteractionLength length = InteractionLength::nominal;
-    double given_length = 0;  ///< [m], for InteractionLength::given
+    Joint::InteractionLength length = Joint::InteractionLength::given;
+    double given_length = 0;  ///< [m]
     LawOptions law_options;
     std::shared_ptr<const QuickHybrid> similar;  ///< of surfaces for a band
     std::optional<UltrasonicWaves> ultrasound;
@@ -91,7 +89,7 @@ namespace fstiff { inline namespace v0_1 {
 
 /// A given length is written as such.
 template <>
-inline constexpr auto enum_names<detail::InteractionLength> = detail::name_list<detail::InteractionLength>(
-    {{detail::InteractionLength::nominal, "nominal"}, {detail::InteractionLength::peak_spacing, "peak_spacing"}});
+inline constexpr auto enum_names<Joint::InteractionLength> = detail::name_list<Joint::InteractionLength>(
+    {{Joint::InteractionLength::nominal, "nominal"}, {Joint::InteractionLength::peak_spacing, "peak_spacing"}});
 
 }}  // namespace fstiff

@@ -67,9 +67,9 @@ FSTIFF_INLINE Interaction<double> interaction(const ResolvedJoint& problem) {
     Interaction<double> result;
     result.reading = problem.reading;
     if (result.reading != InteractionReading::none)
-        result.length = problem.length == InteractionLength::nominal
+        result.length = problem.length == Joint::InteractionLength::nominal
                             ? detail::interaction_length_of_area(*problem.nominal_area)
-                        : problem.length == InteractionLength::peak_spacing
+                        : problem.length == Joint::InteractionLength::peak_spacing
                             ? detail::interaction_length_of_peaks(problem.face.parameters.peak_density.value)
                             : problem.given_length;
     return result;
