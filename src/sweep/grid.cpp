@@ -286,8 +286,8 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
 
 /// Scenes of the grid. \throws domain_error for too many, and for axes of unlike length in zip mode.
 std::uint64_t count_scenes(const Source& source, const std::vector<Swept>& swept, const Grid& grid) {
-    std::uint64_t size = 1, zipped = 0;
-    const std::string* first = nullptr;
+    std::uint64_t size = 1;
+    const Axis* first = nullptr;
     const auto times = [&](std::uint64_t count) {
         if (size > most_scenes / count)
             throw domain_error(source.file + ": has more than 2^53 scenes; must have fewer");
@@ -296,17 +296,13 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Swept>& swept
     for (const Swept& entry : swept) {
         const Axis& axis = entry.axis;
         if (axis.drawn) continue;
-        if (grid.mode == Mode::product) {
+        if (grid.mode == Mode::product || !first)
             times(axis.count());
-        } else if (!first) {
-            first = &axis.key;
-            zipped = axis.count();
-            times(zipped);
-        } else if (axis.count() != zipped) {
+        else if (axis.count() != first->count())
             throw domain_error(source.file + ":" + std::to_string(entry.begin.line) + ": " + axis.key + ": has " +
                                std::to_string(axis.count()) + " values; mode = \"zip\" must have as many as of " +
-                               *first + ", " + std::to_string(zipped));
-        }
+                               first->key + ", " + std::to_string(first->count()));
+        if (!first) first = &axis;
     }
     times(grid.samples);
     return size;

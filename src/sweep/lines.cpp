@@ -8,11 +8,9 @@
 #include <fstiff/core/text.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 namespace fstiff::sweep {
 namespace {
@@ -150,17 +148,7 @@ private:
 };
 
 /// As csv_of of a cell of run --format csv: 17 significant digits.
-void append_exact(std::string& text, double value) {
-    if (std::isnan(value)) return void(text += "null");
-    if (!std::isfinite(value)) throw std::logic_error("a result is not a finite number; this is a defect of fstiff");
-#if FSTIFF_HAS_FLOAT_TO_CHARS
-    char digits[40];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17);
-    text.append(digits, end);
-#else
-    text += document::exact(value);
-#endif
-}
+void append_exact(std::string& text, double value) { text += std::isnan(value) ? "null" : document::exact(value); }
 
 void append_key(std::string& text, std::string_view key) {
     text += ",\"";

@@ -9,20 +9,6 @@
 #include <cstdint>
 
 namespace fstiff::sweep {
-namespace {
-
-/// Puts \p value at \p key, such as "surface.rms_height" or "contact.pressures[0]".
-template <class Node>
-void put(toml::table& root, const std::string& key, Node&& value) {
-    const std::size_t end = key.find_last_of(".[");
-    toml::node& parent = *toml::at_path(root, std::string_view(key).substr(0, end)).node();
-    if (auto* list = parent.as_array())
-        list->replace(list->cbegin() + std::stol(key.substr(end + 1)), std::forward<Node>(value));
-    else
-        parent.as_table()->insert_or_assign(key.substr(end + 1), std::forward<Node>(value));
-}
-
-}  // namespace
 
 void put_at(toml::table& root, const std::string& key, const toml::node& node, const std::string& file) {
     const std::size_t end = key.find_last_of(".[");
@@ -34,7 +20,13 @@ void put_at(toml::table& root, const std::string& key, const toml::node& node, c
     const std::string place = key.back() == ']' ? key : key.substr(0, end);
     if (const auto there = toml::at_path(root, place); !there || (key.back() != ']' && !there.is_table()))
         throw domain_error(file + ": " + key + ": is no place of the scene");
-    node.visit([&](const auto& value) { put(root, key, value); });
+    toml::node& parent = *toml::at_path(root, std::string_view(key).substr(0, end)).node();
+    node.visit([&](const auto& value) {
+        if (auto* list = parent.as_array())
+            list->replace(list->cbegin() + std::stol(key.substr(end + 1)), value);
+        else
+            parent.as_table()->insert_or_assign(key.substr(end + 1), value);
+    });
 }
 
 toml::table table_of(const Grid& grid, const std::vector<Value>& values) {

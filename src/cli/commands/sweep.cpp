@@ -2,6 +2,7 @@
 // fstiff sweep: a grid of scenes to one line a row of results.
 #include "commands/commands.hpp"
 #include "document/own_output.hpp"
+#include "document/system.hpp"
 #include "input/progress.hpp"
 #include "sweep/engine.hpp"
 
@@ -107,11 +108,13 @@ Report execute(const Options& options) {
     const auto begun = std::chrono::steady_clock::now();
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
-    const unsigned started = sweep::run(grid, maker, rows, {.threads = wanted, .progress = progress_bar(true)},
-                                        [&](const sweep::Block& block) {
-                                            file.empty() ? deliver(block.lines, "") : results.write(0, block.lines);
-                                            failed += block.failed;
-                                        });
+    const bool is_shown = file.empty() && document::os::is_terminal(stdout);  // lines, which a bar would cut
+    const ProgressHook progress = is_shown ? ProgressHook() : progress_bar(true);
+    const unsigned started =
+        sweep::run(grid, maker, rows, {.threads = wanted, .progress = progress}, [&](const sweep::Block& block) {
+            file.empty() ? deliver(block.lines, "") : results.write(0, block.lines);
+            failed += block.failed;
+        });
     results.finish();
     if (started < wanted)
         report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
