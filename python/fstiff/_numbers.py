@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import inspect
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -23,7 +24,8 @@ def require_known(given: Iterable[str], known: Sequence[str], where: str = "") -
         if name in RENAMED and name not in known:
             raise ValueError(f"{where}{name}: is called {RENAMED[name]}")
         if name not in known:
-            raise ValueError(f"{where}{name}: must be one of {', '.join(known)}")
+            near = difflib.get_close_matches(name, known, 1)
+            raise ValueError(f"{where}{name}: must be one of {', '.join(known)}" + (f"; did you mean {near[0]}?" if near else ""))
 
 
 def with_names(of: Any, function: Any) -> None:

@@ -167,7 +167,7 @@ def test_each_number_of_the_library_is_a_keyword():
             fstiff.answer(rms_height="1 um", other={name: -9}, pressures=1e7, samples=0)
     with pytest.raises(ValueError, match="^height: is called rms_height"):
         fstiff.answer(height=1e-6, pressures=1e7)
-    with pytest.raises(ValueError, match="^rms_hight: must be one of rms_height, Rq"):
+    with pytest.raises(ValueError, match="^rms_hight: must be one of rms_height, Rq.*; did you mean rms_height?"):
         fstiff.answer(rms_hight=1e-6, pressures=1e7)
 
 

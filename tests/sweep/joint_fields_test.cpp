@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +20,15 @@ namespace joint_fields_test {
 using namespace fstiff;
 
 namespace {
+
+/// What docs/scene.md calls a quantity in \p unit.
+std::string_view kind_of(std::string_view unit) {
+    const std::map<std::string_view, std::string_view> kinds{
+        {"1/m^2", "number per area"},  {"rad", "angle"},       {"Pa", "pressure"}, {"kg/m^3", "density"},
+        {"m/s", "velocity"},           {"W/(m K)", "W/(m K)"}, {"S/m", "S/m"},     {"Hz", "frequency"},
+        {"Pa/m", "stiffness per area"}};
+    return kinds.at(unit);
+}
 
 /// A number that is allowed.
 double allowed_number(const NumberFacts& facts) {
@@ -48,6 +57,25 @@ std::string scene_with(std::map<std::string, std::string> keys) {
     std::string text = "[surface]\n";
     for (const auto& [key, value] : keys) text += key + " = " + value + "\n";
     return text + "[contact]\npressures = [\"10 MPa\"]\n";
+}
+
+/// \p page has a row of \p key, whose first cell names it, whose second cell has its kind, and whose third has its range.
+void check_row(const std::string& page, const std::string& section, const std::string& key, const NumberFacts& facts) {
+    std::string row;
+    std::istringstream lines(page);
+    for (std::string line; row.empty() && std::getline(lines, line);) {
+        const std::string first = line.substr(0, line.find('|', 1));
+        const auto names = [&](const char* before) { return first.find(before + key + "`") != first.npos; };
+        if (line.starts_with("| `" + section) && (names(".") || names("`"))) row = line;
+    }
+    INFO(section << key << ": " << row);
+    REQUIRE(!row.empty());
+    const std::string kind = facts.unit.empty()  ? "number"
+                             : facts.unit == "m" ? "length"
+                                                 : std::string(kind_of(facts.unit));
+    CHECK(row.find(kind) != row.npos);
+    if (!facts.row && facts.high > 1e300)
+        CHECK(row.find((facts.low_too ? ">= " : "> ") + fstiff::document::shortest(facts.low)) != row.npos);
 }
 
 std::string refusal_of(const std::string& text) {
@@ -80,7 +108,7 @@ TEST_CASE("every number of a face is a key, a record, a refusal, a suggestion, a
                 recorded = recorded || (input.key == "surface." + key && input.value &&
                                         std::abs(*input.value / number - 1) < 1e-15 && input.unit == facts.unit);
             CHECK(recorded);
-            CHECK((page.find("`" + key + "`") != page.npos || page.find("`surface." + key + "`") != page.npos));
+            check_row(page, "surface.", key, facts);
 
             // out of its range, in another unit, misspelt
             const double wrong = facts.low < 0 ? 10 * facts.high : -1;
@@ -102,6 +130,43 @@ TEST_CASE("every number of a face is a key, a record, a refusal, a suggestion, a
         }
     });
     CHECK(count == 16);
+}
+
+TEST_CASE("every number of bodies, waves and friction is a key, a refusal, an axis and a row of the page") {
+    const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
+    const auto check = [&](const std::string& section, const auto& owner) {
+        each_field(owner, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+            const std::string path = section + "." + std::string(name);
+            INFO(path);
+            const auto text = [&](const std::string& value) {
+                std::map<std::string, std::string> sections{{"material.upper", "name = \"steel\"\n"},
+                                                            {"friction", "coefficient = 0.2\n"},
+                                                            {"ultrasound", "frequency = \"5 MHz\"\n"}};
+                std::string& own = sections.at(section);
+                if (own.starts_with(name)) own.clear();
+                own += std::string(name) + " = " + value + "\n";
+                std::string all = "[surface]\nRa = \"0.8 um\"\n[contact]\npressures = [\"10 MPa\"]\n";
+                for (const auto& [each, keys] : sections)
+                    if (each == section || each == "material.upper") all += "[" + each + "]\n" + keys;
+                return all;
+            };
+            const double number = name == "poisson_ratio" ? 0.3 : 5 * std::min(1.0, allowed_number(facts));
+            const scene::Scene read = scene::read_scene(text(written(number, facts.unit)), {.name = "scene.toml"});
+            CHECK(std::any_of(read.inputs.begin(), read.inputs.end(), [&](const auto& input) {
+                return input.key == path && input.value && std::abs(*input.value / number - 1) < 1e-15;
+            }));
+            CHECK(refusal_of(text(written(-2, facts.unit))).find(path) != std::string::npos);
+            CHECK(refusal_of(text("\"1 mol\"")).find(path + " = \"1 mol\"") != std::string::npos);
+            const sweep::Grid grid = sweep::read_grid(
+                text("[" + written(number, facts.unit) + ", " + written(0.9 * number, facts.unit) + "]"), "grid.toml");
+            REQUIRE(grid.axes.size() == 1);
+            CHECK(grid.axes[0].unit == facts.unit);
+            check_row(page, section == "material.upper" ? "material." : section + ".", std::string(name), facts);
+        });
+    };
+    check("material.upper", Body());
+    check("friction", Friction());
+    check("ultrasound", UltrasonicWaves());
 }
 
 }  // namespace joint_fields_test
