@@ -84,7 +84,7 @@ TEST_CASE("The document of a fit holds what the headers fit, to the last digit")
     how.surface = test::surface_options(read_metres);
     const auto result =
         fstiff::actions::fractal_of_profile(how, fstiff::surface::read_surface_input(how.surface, one_column(profile)));
-    const test::Csv csv(fstiff::actions::lag_rows(result.fit, result.structure).csv());
+    const test::Csv csv(fstiff::actions::lag_rows(result.fit, result.fit.structure_function).csv());
     CHECK(csv.header() == std::vector<std::string>{"lag_m", "value_m2", "pairs", "in_window"});
     REQUIRE(csv.size() == fit.structure_function.size());
     std::size_t inside = 0;
