@@ -110,13 +110,15 @@ module fstiff
         real(c_double) :: youngs_modulus = 0, poisson_ratio = 0, yield_strength = 0, hardness = 0
     end type
     type, bind(c) :: fstiff_joint
-        integer(c_size_t) :: size = 136
+        integer(c_size_t) :: size = 160
         type(c_ptr) :: face = c_null_ptr, other = c_null_ptr
         type(fstiff_solid) :: upper, lower
         real(c_double) :: effective_modulus = 0, nominal_area = 0, interaction_length = 0
         integer(c_int) :: interaction = FSTIFF_NO_INTERACTION, shifts = 0
         real(c_double) :: seating = 0
         integer(c_int) :: samples = 0, seed = 0
+        integer(c_size_t) :: number_count = 0
+        type(c_ptr) :: names = c_null_ptr, numbers = c_null_ptr
     end type
     type, bind(c) :: fstiff_answer_points
         integer(c_size_t) :: size = 120

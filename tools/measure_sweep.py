@@ -72,9 +72,7 @@ def main():
         file, results, first = folder / "grid.toml", folder / "results", next(iter(CASES.values()))
 
         def sweep(changes, *more):
-            """The times of a sweep from its beginning."""
-            for old in (results, pathlib.Path(f"{results}.sweep")):
-                old.unlink(missing_ok=True)
+            """The times of a sweep."""
             file.write_text(BASE.format(**PLAIN | changes))
             return run(options.fstiff, "sweep", file, "-o", results, *more)
 

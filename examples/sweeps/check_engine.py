@@ -2,14 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs a sweep by an engine and compares its results with those of one process, byte for byte.
 
-    python3 check_engine.py ENGINE --fstiff COMMAND [--python PYTHON]     ENGINE: parallel, mpi, snakemake, dask, parquet
+    python3 check_engine.py ENGINE --fstiff COMMAND [--python PYTHON]     ENGINE: parallel, snakemake, dask, parquet
 
 PYTHON, where it exists, is one that has the package fstiff, Dask and pyarrow; the default is the one that runs this.
-parquet runs the program of docs/sweep.md that makes a Parquet file of results, and compares its numbers with the lines.
+Where the engine tries again, each chunk is ended once by SIGKILL. parquet runs the program of docs/sweep.md that makes a Parquet file of results, and compares its numbers with the lines.
 Ends with exit code 1 where they differ, and says SKIPPED: where the engine is missing.
 """
 import argparse
-import csv
 import json
 import os
 import pathlib
@@ -20,8 +19,20 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-NUMBERS = ("surface.peak_radius", "surface.rms_height", "pressure_Pa")
-NEEDS = {"parallel": "parallel", "mpi": "mpirun", "snakemake": "snakemake", "dask": None, "parquet": None}
+NEEDS = {"parallel": "parallel", "snakemake": "snakemake", "dask": None, "parquet": None}
+
+KILLED_ONCE = """#!/bin/sh
+# fstiff, whose first sweep to each file ends by SIGKILL somewhere on its way
+for file; do :; done
+if [ "$1" = sweep ] && [ "$file" != --count ] && mkdir "$file.tried" 2>/dev/null; then
+    "{fstiff}" "$@" &
+    sleep 0.0$(expr $$ % 4)
+    kill -9 $!
+    wait $!
+    exit 137
+fi
+exec "{fstiff}" "$@"
+"""
 
 
 def run(command, **options):
@@ -37,19 +48,32 @@ def serial(fstiff, grid, file):
     return file.read_bytes()
 
 
-def check_same(found, wanted, what):
+def check_same(found, wanted, what, chunks):
     if found.read_bytes() != wanted:
         sys.exit(f"{what}: the joined results are not those of one process")
+    if len(list(found.parent.glob("*.tried"))) != chunks:
+        sys.exit(f"{what}: not every chunk was killed once")
     print(f"{what}: {wanted.count(10)} lines, the bytes of one process")
 
 
-def check_shards(engine, fstiff, work):
-    """An engine that computes shards of grid.toml."""
-    script = [HERE / f"{engine}.sh", HERE / "grid.toml"]
-    if engine == "mpi":
-        script += ["-n", "4", "--oversubscribe", *(["--allow-run-as-root"] if os.geteuid() == 0 else [])]
-    run(["sh", *script], cwd=work, env={**os.environ, "FSTIFF": fstiff})
-    check_same(work / "all.jsonl", serial(fstiff, HERE / "grid.toml", work / "serial.jsonl"), engine)
+def killed_once(fstiff, work):
+    """A command that is fstiff, but for its first sweep to each file."""
+    command = work / "fstiff"
+    command.write_text(KILLED_ONCE.format(fstiff=fstiff))
+    command.chmod(0o755)
+    return str(command)
+
+
+def check_parallel(fstiff, work):
+    environment = {**os.environ, "FSTIFF": killed_once(fstiff, work)}
+    run(["sh", HERE / "parallel.sh", HERE / "grid.toml"], cwd=work, env=environment)
+    wanted = serial(fstiff, HERE / "grid.toml", work / "serial.jsonl")
+    check_same(work / "all.jsonl", wanted, "parallel, each chunk killed once", 8)
+    begun = (work / "part-00000001.jsonl").stat().st_mtime_ns
+    run(["sh", HERE / "parallel.sh", HERE / "grid.toml"], cwd=work, env=environment)
+    check_same(work / "all.jsonl", wanted, "parallel again", 8)
+    if (work / "part-00000001.jsonl").stat().st_mtime_ns != begun:
+        sys.exit("parallel: a chunk that is done was computed again")
 
 
 def check_snakemake(fstiff, work):
@@ -61,34 +85,33 @@ def check_snakemake(fstiff, work):
     run([fstiff, "generate", "profile", *trace, "-o", work / "trace.csv"])
     run(
         ["snakemake", "--cores", "2", "--snakefile", HERE / "Snakefile", "--directory", work]
-        + ["--config", "trace=trace.csv", f"fstiff={fstiff}"],
+        + ["--config", "trace=trace.csv", f"fstiff={killed_once(fstiff, work)}"],
         cwd=work,
         env={**os.environ, "HOME": str(work), "XDG_CACHE_HOME": str(work)},
     )
-    check_same(work / "all.jsonl", serial(fstiff, work / "grid.toml", work / "serial.jsonl"), "snakemake")
+    check_same(work / "all.jsonl", serial(fstiff, work / "grid.toml", work / "serial.jsonl"), "snakemake, each chunk killed once", 4)
     if b"<svg" not in (work / "k.svg").read_bytes():
         sys.exit("snakemake: k.svg is not a picture")
 
 
 def check_dask(fstiff, work, python):
-    done = subprocess.run([python, HERE / "dask_sweep.py"], capture_output=True, text=True, cwd=work)
+    grid = work / "grid.toml"  # 10,000 scenes
+    grid.write_text((HERE / "grid.toml").read_text().replace('["20 um", "40 um", "80 um"]', '["20 um", "35 um", "60 um", "80 um"]')
+                    .replace("count = 40", "count = 50").replace("count = 25", "count = 50"))
+    scenes = run([fstiff, "sweep", grid, "--count"]).stdout.strip()
+    done = subprocess.run([python, HERE / "dask_sweep.py", grid, scenes], capture_output=True, text=True, cwd=work)
     if "SKIPPED:" in done.stderr:
         print(done.stderr)
         return
     if done.returncode != 0:
         sys.exit(done.stdout[-2000:] + done.stderr)
-    found = {
-        (*(float(row[key]) for key in NUMBERS), row["law"]): float(row["stiffness_Pa_per_m"])
-        for row in csv.DictReader(done.stdout.splitlines())
-    }
-    wanted = {}
-    for line in serial(fstiff, HERE / "grid.toml", work / "serial.jsonl").splitlines():
-        row = json.loads(line)
-        wanted[(*(row[key] for key in NUMBERS), row["law"])] = row["stiffness_Pa_per_m"]
-    if found != wanted:
-        different = sum(found.get(key) != value for key, value in wanted.items())
-        sys.exit(f"dask: {different} of {len(wanted)} values of K differ")
-    print(f"dask: {len(wanted)} values of K, the same to the last digit")
+    serial(fstiff, grid, work / "serial.jsonl")
+    as_table = "import json, pandas, sys; pandas.DataFrame(map(json.loads, open('serial.jsonl'))).to_csv(sys.stdout, index=False)"
+    wanted = run([python, "-c", as_table], cwd=work).stdout
+    if scenes != "10000" or sorted(done.stdout.splitlines()) != sorted(wanted.splitlines()):
+        different = len(set(done.stdout.splitlines()) ^ set(wanted.splitlines()))
+        sys.exit(f"dask: {different} lines of {scenes} scenes differ")
+    print(f"dask: the rows of {scenes} scenes, the bytes of one process")
 
 
 def check_parquet(fstiff, work, python):
@@ -127,13 +150,11 @@ def main():
         return
     with tempfile.TemporaryDirectory() as folder:
         fstiff, work = str(pathlib.Path(arguments.fstiff).resolve()), pathlib.Path(folder)
-        if arguments.engine == "snakemake":
-            check_snakemake(fstiff, work)
-        elif arguments.engine in ("dask", "parquet"):
+        if arguments.engine in ("parallel", "snakemake"):
+            (check_parallel if arguments.engine == "parallel" else check_snakemake)(fstiff, work)
+        else:
             python = arguments.python if pathlib.Path(arguments.python).exists() else sys.executable
             (check_dask if arguments.engine == "dask" else check_parquet)(fstiff, work, python)
-        else:
-            check_shards(arguments.engine, fstiff, work)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 
     import fstiff
 
-    found = fstiff.answer(height="0.8 um", gradient=0.1, upper="steel", pressures=[1e6, 1e7])
+    found = fstiff.answer(rms_height="0.8 um", rms_gradient=0.1, upper="steel", pressures=[1e6, 1e7])
     found.stiffness, found.low, found.high                      # K per area [Pa/m] with its 90 % band
     surface = fstiff.measure(heights, spacing=0.5e-6)           # a 1-D or 2-D array of heights [m], or a file
     contact = fstiff.Contact("hybrid", surface=surface, effective_modulus=112.6e9)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Union
 from . import _core
 from ._answer import Answer
 from ._errors import word, words
+from ._numbers import BODY, FACE, require_known, with_names
 from ._results import number, numbers, whole
 from ._surfaces import Measurement, measured_of
 
@@ -24,17 +25,6 @@ if TYPE_CHECKING:
 
     Face: TypeAlias = Union[Mapping[str, Any], Measurable]
 
-#: The numbers of a face.
-FACE = (
-    "height", "mean_height", "gradient", "profile_gradient", "profile_spacing", "alpha", "hurst", "skewness", "kurtosis",
-    "peak_radius", "peak_density", "fractal_dimension",
-)  # fmt: skip
-SOLID = (
-    "youngs_modulus", "poisson_ratio", "yield_strength", "hardness", "density", "velocity", "shear_velocity",
-    "thermal_conductivity", "electrical_conductivity",
-)  # fmt: skip
-
-
 def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
     if isinstance(given, str) and given:
         return word(given, which), {}
@@ -43,9 +33,7 @@ def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
         raise ValueError(f"{which}: must be the name of a material or a dict, not {found}")
     of = dict(given)
     name = word(of.pop("name", ""), f"{which}.name")
-    unknown = set(of) - set(SOLID)
-    if unknown:
-        raise ValueError(f"{which}.{sorted(unknown)[0]}: must be one of name, {', '.join(SOLID)}")
+    require_known(of, ("name", *BODY), f"{which}.")
     made = {key: number(value, f"{which}.{key}") for key, value in of.items() if value is not None}
     for key in ("youngs_modulus", "poisson_ratio"):
         if not name and key not in made:
@@ -93,21 +81,9 @@ def answer(
     upper: Solid = "steel",
     lower: Solid | None = None,
     surface: Measurable | None = None,
-    height: Any = None,
-    mean_height: Any = None,
-    gradient: Any = None,
-    profile_gradient: Any = None,
-    profile_spacing: Any = None,
-    alpha: Any = None,
-    hurst: Any = None,
-    skewness: Any = None,
-    kurtosis: Any = None,
-    peak_radius: Any = None,
-    peak_density: Any = None,
-    fractal_dimension: Any = None,
     process: str | None = None,
     other: Face | None = None,
-    area: float | None = None,
+    nominal_area: float | None = None,
     quantities: Sequence[str] = (),
     frequency: float | None = None,
     film_stiffness: float | None = None,
@@ -116,6 +92,7 @@ def answer(
     seating: float | None = 1e3,
     samples: int = 400,
     seed: int = 2014,
+    **numbers_of_face: Any,
 ) -> Answer:
     """One stiffness for each pressure, by the law that holds there, with a 90 % band and its causes: what `fstiff run` answers.
 
@@ -124,12 +101,10 @@ def answer(
                         density, velocity, shear_velocity, thermal_conductivity, electrical_conductivity, and name for the rest;
                         lower is as upper unless it is given
     surface             what measure() returned, or takes without options, or a list of that, one for each joint
-    height, mean_height      rms height (Rq, Sq), or Ra or Sa in its place [m], or a text such as "0.8 um"; of Ra also "N6" or "VDI 24"
-    gradient            rms gradient (Sdq); in its place profile_gradient (Rdq across the lay) or profile_spacing (RSm) [m]
-    alpha, hurst, skewness, kurtosis, peak_radius, peak_density, fractal_dimension   as in a scene
+    {numbers}
     process             what made the face, such as "ground" or "grinding": it decides what is assumed of the numbers that are not given
     other               the other face where it is rough: a dict of the numbers above, or what measure() returned
-    area                nominal area [m^2]
+    nominal_area        [m^2]
     quantities          words of output.quantities in docs/scene.md, such as "reflection", which needs a frequency [Hz]; those of
                         friction need its coefficient and an amplitude [m]
     film_stiffness      of a fluid film, which longitudinal waves see in addition to K [Pa/m]: bulk modulus over thickness
@@ -143,7 +118,8 @@ def answer(
     """
     import numpy as np
 
-    own = {name: numbers(value, name) for name, value in locals().items() if name in FACE and value is not None}
+    require_known(numbers_of_face, tuple(FACE))
+    own = {name: numbers(value, name) for name, value in numbers_of_face.items() if value is not None}
     several = isinstance(surface, (list, tuple))
     given_surfaces: Any = surface if several else [] if surface is None else [surface]
     measured = [measured_of(one) for one in given_surfaces]
@@ -153,9 +129,7 @@ def answer(
     of_other: dict[str, Any] = {} if rough is None or isinstance(rough, Measurement) else dict(rough)
     other_process = of_other.pop("process", None)
     other_measured = [rough] if isinstance(rough, Measurement) else []
-    unknown = set(of_other) - set(FACE)
-    if unknown:
-        raise ValueError(f"other.{sorted(unknown)[0]}: must be one of process, {', '.join(FACE)}")
+    require_known(of_other, ("process", *FACE), "other.")
     for one in measured:
         if not isinstance(one, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(one).__name__}")
@@ -171,8 +145,8 @@ def answer(
     if several and surfaces != (len(measured),):
         raise ValueError("surface: a list of them goes with numbers and arrays of its length")
     p = numbers(pressures, "pressures")
-    given = {"area": area, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction, "amplitude": amplitude}
-    given |= {"seating": seating, "samples": whole(samples, "samples", 0, 100000), "seed": whole(seed, "seed", 0, 2**53)}
+    given = {"nominal_area": nominal_area, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction}
+    given |= {"amplitude": amplitude, "seating": seating, "samples": whole(samples, "samples", 0, 100000), "seed": whole(seed, "seed", 0, 2**53)}
     options = {name: number(value, name) for name, value in given.items() if value is not None}
     first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")
     for name, given_word in {"process": process, "other.process": other_process}.items():
@@ -183,4 +157,7 @@ def answer(
     found = _core.answers(count, face, face2, *first, *second, p.ravel(), options, words(quantities, "quantities"), bool(surfaces))
     for sentence in found["units"]:
         warnings.warn(sentence + "; numbers are in SI, or texts such as \"0.8 um\"", stacklevel=2)
-    return _of_joints(found, p, surfaces, options.get("area"))
+    return _of_joints(found, p, surfaces, options.get("nominal_area"))
+
+
+with_names(answer, answer)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from . import _core
 from ._errors import word, words
+from ._numbers import FACE, require_known, with_names
 from ._results import Columns, Shown, count_of, draw, frame, number, numbers, shown, shown_rows, text_table, with_unit
 from ._surfaces import Measurement, measure, measured_of, warn_of_height
 
@@ -76,9 +77,8 @@ class Points(Columns):
         return f"<fstiff.Points of {self.law}: {count_of(self)}>\n{text_table(shown_rows(self, 6))}{missing}"
 
 
-#: Arguments of Contact that are no numbers, and the numbers that are not of its surface.
-OTHERS = {"self", "law", "surface", "interaction"}
-OF_BODIES = {"effective_modulus", "poisson_ratio", "yield_strength", "hardness", "interaction_length"}
+#: The numbers of a contact that are not of its surface.
+OF_BODIES = ("effective_modulus", "poisson_ratio", "yield_strength", "hardness", "interaction_length")
 
 
 class Contact(Shown):
@@ -87,18 +87,12 @@ class Contact(Shown):
     law                 one of law_names()
     surface             what measure() returned, or takes without options, in place of the numbers of the surface; laws that need a map take its heights
     effective_modulus   of both bodies [Pa]; effective_modulus() computes it
-    rms_height          sigma [m]
-    peak_radius         R, mean radius of the peaks [m]
-    peak_density        D_p, peaks per area [1/m^2]
-    r, theta            of the joint distribution of heights and curvatures [1, rad]; both must be given for a law that
-                        takes it, and r = 0 means that heights and curvatures are independent
-    fractal_dimension   D of a profile, 1 to 2, for the fractal laws
-    rms_gradient, max_peak_height   of the surface [1, m]; None where not known. "hybrid" and "persson" need no peaks with
-                        rms_gradient: alpha, H and they are then the middle of what a scene assumes
-    skewness, kurtosis  of the heights, which the hybrid law takes; both or none, kurtosis 3 of Gaussian heights
+    {numbers}
     poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which name what they need
     interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
 
+    r and theta are given for a law that takes them; r = 0 means that heights and curvatures are independent. "hybrid" and
+    "persson" need no peaks with rms_gradient: alpha, H and they are then the middle of what a scene assumes.
     A number that is wrong or missing raises ValueError. Threads may share a contact; evaluations do not hold the GIL.
     """
 
@@ -111,32 +105,25 @@ class Contact(Shown):
         *,
         effective_modulus: float,
         surface: Measurable | None = None,
-        rms_height: Length | None = None,
-        peak_radius: Length | None = None,
-        peak_density: float | None = None,
-        r: float | None = None,
-        theta: float | None = None,
-        fractal_dimension: float | None = None,
-        rms_gradient: float | None = None,
-        max_peak_height: Length | None = None,
-        skewness: float | None = None,
-        kurtosis: float | None = None,
         poisson_ratio: float | None = None,
         yield_strength: float | None = None,
         hardness: float | None = None,
         interaction: Literal["none", "effective_separation", "as_printed"] = "none",
         interaction_length: Length | None = None,
+        **numbers_of_face: Any,
     ) -> None:
-        values = {name: value for name, value in locals().items() if name not in OTHERS and value is not None}
-        known = [name for name in values if name not in OF_BODIES]
+        require_known(numbers_of_face, tuple(FACE))
+        values = {name: value for name, value in locals().items() if name in OF_BODIES} | numbers_of_face
+        values = {name: value for name, value in values.items() if value is not None or name == "effective_modulus"}
+        ways = {"mean_height": "rms_height", "profile_gradient": "rms_gradient", "profile_spacing": "rms_gradient"}
+        known = [ways.get(main, main) for main in (FACE[name][2] for name in values if name in FACE)]
         if surface is not None and known:
             raise ValueError(f"{known[0]}: must not be given with surface, which has it")
-        follow = ("peak_radius", "peak_density") if law in ("hybrid", "persson", "plastic") and rms_gradient is not None else ()
+        follow = ("peak_radius", "peak_density") if law in ("hybrid", "persson", "plastic") and "rms_gradient" in known else ()
         missing = [name for name in ("rms_height", "peak_radius", "peak_density") if name not in (*known, *follow)]
         if surface is None and missing and law in law_names():
             of_spectrum = "; hybrid, persson and plastic need rms_height and rms_gradient alone"
             raise ValueError(f"{missing[0]}: missing; a contact needs rms_height, peak_radius and peak_density, or surface{of_spectrum}")
-        values["effective_modulus"] = effective_modulus
         given = {name: number(value, name) for name, value in values.items()}
         surface = measured_of(surface)
         if surface is not None and not isinstance(surface, Measurement):
@@ -206,6 +193,9 @@ class Contact(Shown):
 
     def __repr__(self) -> str:
         return f"<fstiff.Contact: {self.law} is {self._core.nature}>"
+
+
+with_names(Contact, Contact.__init__)
 
 
 def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None) -> Contact:

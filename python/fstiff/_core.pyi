@@ -65,6 +65,7 @@ class Contact:
 class Face:
     def __init__(self, numbers: dict[str, _Numbers], process: str, measured: list[Measured]) -> None: ...
 
+def numbers_of_joint() -> dict[str, dict[str, tuple[str, str, str]]]: ...
 def answers(
     count: int,
     face: Face,
@@ -148,6 +149,7 @@ def sweep(
     numbers: dict[str, _Numbers],
     surface: str,
     measured: Measured | None,
+    rows: tuple[int, int] | None,
     threads: int,
 ) -> dict[str, Any]: ...
 def export(scene: Scene, options: dict[str, Any]) -> tuple[str, list[str], bool]: ...

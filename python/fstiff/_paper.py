@@ -58,7 +58,8 @@ class Specimen(NamedTuple):
             max_peak_height=self.max_peak_height, fractal_dimension=self.fractal_dimension, effective_modulus=MODULUS,
             **exponential(theta), **others,
         )  # fmt: skip
-        return contact.at_pressures(PRESSURES, ["stiffness"]).stiffness
+        stiffness: Numbers = contact.at_pressures(PRESSURES, ["stiffness"])["stiffness_Pa_per_m"]
+        return stiffness
 
     def structure_function(self, lag: Any) -> Any:
         """C lag^(4-2D) [m^2] with the exact constant of (2.4)."""

@@ -37,6 +37,7 @@ def sweep(
     mode: Literal["product", "zip"] | None = None,
     samples: int | None = None,
     seed: int | None = None,
+    rows: tuple[int, int] | None = None,
     threads: int | None = None,
 ) -> pd.DataFrame:
     """Many scenes, as `fstiff sweep` computes them: a data frame of pandas with a row for each line of its results.
@@ -49,6 +50,7 @@ def sweep(
              second ones
     samples  draws of the distributions at each point, 1000 by default
     seed     of the draws
+    rows     (FROM, TO): the scenes whose index, from 0 on, is at least FROM and less than TO; all by default
     threads  one for each core by default
 
     Columns are the keys of the lines: `index` of the scene, the swept values, `law`, then the columns of run(). A scene, or a point
@@ -62,6 +64,10 @@ def sweep(
         scene, surface = scene._made_of
     if surface is not None and any(key.startswith("surface.") for key in axes):
         raise ValueError("axes: must not hold keys of [surface] together with surface=")
+    if rows is not None:
+        if not isinstance(rows, (tuple, list)) or len(rows) != 2:
+            raise ValueError(f"rows = {rows!r}: must be (FROM, TO), two whole numbers")
+        rows = (whole(rows[0], "rows[0]", 0, 2**53), whole(rows[1], "rows[1]", 0, 2**53))
     threads = 0 if threads is None else whole(threads, "threads", 1, 4096)
     given: dict[str, Any] = {}
     numbers: dict[str, Any] = {}
@@ -76,7 +82,7 @@ def sweep(
     text, file = text_or_file(scene)
     swept = _toml(given, "axes")
     with lines_of_text(scene):
-        found = with_surface(lambda *face: _core.sweep(text, file, swept, numbers, face[0], face[1], threads), measured_of(surface))
+        found = with_surface(lambda *face: _core.sweep(text, file, swept, numbers, face[0], face[1], rows, threads), measured_of(surface))
     columns: dict[str, Any] = {"index": found["index"].astype(np.int64)}
     for key, texts, values in found["axes"]:
         columns[key] = np.array(texts, dtype=object)[values.astype(int)] if texts else values

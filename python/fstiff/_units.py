@@ -11,23 +11,15 @@ from . import _core
 UNITS = {
     name: unit
     for unit, names in {
-        "m": "height mean_height rms_height max_peak_height profile_spacing peak_radius interaction_length separation separations "
-        "slip amplitude spacing dx dy crop radius cutoff lambda_s lambda_c tip_radius resolution width window longest shortest",
-        "1/m^2": "peak_density",
-        "m^2": "area",
-        "Pa": "pressure pressures min_pressure max_pressure from until at seating effective_modulus youngs_modulus yield_strength hardness",
-        "Pa/m": "stiffness film_stiffness",
-        "Hz": "frequency",
-        "kg/m^3": "density",
-        "m/s": "velocity shear_velocity",
+        "m": "interaction_length separation separations slip spacing dx dy crop radius cutoff lambda_s lambda_c tip_radius resolution "
+        "width window longest shortest",
+        "Pa": "pressure pressures min_pressure max_pressure from until at seating",
+        "Pa/m": "stiffness",
         "kg/(m^2 s)": "impedance",
-        "W/(m K)": "thermal_conductivity",
-        "S/m": "electrical_conductivity",
         "W/(m K) or S/m": "conductivity",
-        "rad": "theta",
     }.items()
     for name in names.split()
-}
+} | {name: unit for numbers in _core.numbers_of_joint().values() for name, (unit, _, _) in numbers.items() if unit}
 
 
 def si_unit(name: str) -> str:

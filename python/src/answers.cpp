@@ -8,6 +8,8 @@
 
 #include <fstiff/answer.hpp>
 #include <fstiff/answer/concerns.hpp>
+#include <fstiff/answer/joint_fields.hpp>
+#include <fstiff/answer/resolve.hpp>
 #include <fstiff/answer/resolved_joint.hpp>
 #include <fstiff/asperity/named_materials.hpp>
 
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -27,41 +30,12 @@
 namespace fstiff::python {
 namespace {
 
-using Numbers = std::map<std::string, double>;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-struct FaceNumber {
-    const char* name;
-    std::optional<double> JointFace::*value;
-};
-constexpr FaceNumber face_numbers[]{{"height", &JointFace::rms_height},
-                                    {"mean_height", &JointFace::mean_height},
-                                    {"gradient", &JointFace::rms_gradient},
-                                    {"profile_gradient", &JointFace::profile_gradient},
-                                    {"profile_spacing", &JointFace::profile_spacing},
-                                    {"alpha", &JointFace::alpha},
-                                    {"hurst", &JointFace::hurst},
-                                    {"skewness", &JointFace::skewness},
-                                    {"kurtosis", &JointFace::kurtosis},
-                                    {"peak_radius", &JointFace::peak_radius},
-                                    {"peak_density", &JointFace::peak_density},
-                                    {"fractal_dimension", &JointFace::fractal_dimension}};
-
-/// \p error with the package's name of the parameter.
-domain_error with_own_name(const domain_error& error) {
-    constexpr std::string_view of_other = "other.";
-    const bool other = error.parameter().starts_with(of_other);
-    const std::string name(error.parameter().substr(other ? of_other.size() : 0));
-    for (const auto& [given, own] :
-         {std::pair("rms_height", "height"), {"rms_gradient", "gradient"}, {"nominal_area", "area"}})
-        if (name == given) return error.with_parameter((other ? "other." : "") + std::string(own));
-    return error;
-}
 
 /// A face as the package was given it: arrays of one length by their names, NaN where a number is not given, and what
 /// was measured, of every joint or of all.
 struct FaceInput {
-    std::map<std::string, In> numbers;
+    std::map<std::string, In, std::less<>> numbers;
     std::string process;
     std::vector<std::shared_ptr<const MeasuredFace>> measured;
 
@@ -72,9 +46,11 @@ struct FaceInput {
     }
     [[nodiscard]] JointFace at(std::size_t i) const {
         JointFace face;
-        for (const auto& [name, value] : face_numbers)
-            if (const auto found = numbers.find(name); found != numbers.end())
-                if (const double one = found->second.data()[i]; !std::isnan(one)) face.*value = one;
+        take_numbers(face, [&](std::string_view key) -> std::optional<double> {
+            const auto column = numbers.find(key);
+            const double number = column == numbers.end() ? none : column->second.data()[i];
+            return std::isnan(number) ? std::nullopt : std::optional(number);
+        });
         if (!process.empty()) face.process = detail::process_of(process, "process");
         if (!measured.empty()) face.measured = measured[measured.size() == 1 ? 0 : i];
         return face;
@@ -82,65 +58,35 @@ struct FaceInput {
 };
 
 /// A body by its name, and numbers in place of those of the name.
-struct Solid {
-    Body body{};
-    std::optional<double> density{}, velocity{}, shear_velocity{}, thermal{}, electrical{};
-};
-Solid solid_of(const std::string& name, const Numbers& numbers, const char* which) {
-    Solid solid;
+Body body_called(const std::string& name, const Numbers& numbers, const char* which) {
+    Body body;
     if (!name.empty()) {
         const NamedMaterial* found = find_material(name);
         if (!found)
             throw domain_error(std::string(which) + " = \"" + name.substr(0, 40) + "\": " +
                                request::unknown_material(name, "a dict with youngs_modulus and poisson_ratio"));
-        const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
-        solid = {.body = body_of(*found),
-                 .density = found->density,
-                 .velocity = known(found->wave_speeds().first),
-                 .shear_velocity = known(found->wave_speeds().second),
-                 .thermal = known(found->thermal_conductivity),
-                 .electrical = known(found->electrical_conductivity)};
+        body = body_of(*found);
     }
-    const auto take = [&](const char* key, auto& to) {
-        if (const auto given = numbers.find(key); given != numbers.end()) to = given->second;
-    };
-    take("youngs_modulus", solid.body.elastic.youngs_modulus), take("poisson_ratio", solid.body.elastic.poisson_ratio);
-    take("yield_strength", solid.body.yield_strength), take("hardness", solid.body.hardness);
-    take("density", solid.density), take("velocity", solid.velocity), take("shear_velocity", solid.shear_velocity);
-    take("thermal_conductivity", solid.thermal), take("electrical_conductivity", solid.electrical);
-    return solid;
+    take_numbers(body, numbers);
+    return body;
 }
 
 /// What all joints share.
-Joint joint_of(const Solid& upper, const Solid& lower, const Numbers& numbers) {
-    const auto number = [&](const char* name) -> std::optional<double> {
-        const auto found = numbers.find(name);
-        return found == numbers.end() ? std::optional<double>() : found->second;
-    };
-    Joint joint{.upper = upper.body, .lower = lower.body, .nominal_area = number("area")};
-    const auto both = [](const std::optional<double>& a, const std::optional<double>& b) {
-        return a && b && *a > 0 && *b > 0 ? std::optional(joint_conductivity(*a, *b)) : std::nullopt;
-    };
-    joint.conduction.thermal = both(upper.thermal, lower.thermal);
-    joint.conduction.electrical = both(upper.electrical, lower.electrical);
-    if (const auto frequency = number("frequency"); frequency && upper.density && lower.density) {
-        const auto impedances = [&](const std::optional<double>& a, const std::optional<double>& b) {
-            return Impedances<double>{acoustic_impedance(*upper.density, *a), acoustic_impedance(*lower.density, *b)};
-        };
-        if (upper.velocity && lower.velocity)
-            joint.waves = UltrasonicWaves{*frequency, impedances(upper.velocity, lower.velocity), {}};
-        if (joint.waves) joint.waves->film_stiffness = number("film_stiffness").value_or(0);
-        if (joint.waves && upper.shear_velocity && lower.shear_velocity)
-            joint.waves->shear = impedances(upper.shear_velocity, lower.shear_velocity);
-    }
-    if (const auto friction = number("friction")) joint.friction = Friction{*friction, number("amplitude")};
+Joint joint_of(const Body& upper, const Body& lower, const Numbers& numbers) {
+    Joint joint{.upper = upper, .lower = lower};
+    take_numbers(joint, numbers);
+    const auto has_waves = [](const Body& body) { return body.density && body.velocity; };
+    if (numbers.contains("frequency") && has_waves(upper) && has_waves(lower))
+        take_numbers(joint.waves.emplace(), numbers);
+    if (const auto friction = numbers.find("friction"); friction != numbers.end())
+        take_numbers(joint.friction.emplace(Friction{.coefficient = friction->second}), numbers);
     return joint;
 }
 
 /// What the package calls \p need.
 std::string_view words_of(AnswerQuantity::Need need) {
     switch (need) {
-        case AnswerQuantity::area: return "area";
+        case AnswerQuantity::area: return "nominal_area";
         case AnswerQuantity::waves: return "frequency, and density and velocity of both bodies";
         case AnswerQuantity::shear_waves: return "frequency, and density and shear_velocity of both bodies";
         case AnswerQuantity::slip: return "friction and amplitude";
@@ -153,20 +99,19 @@ std::string_view words_of(AnswerQuantity::Need need) {
     return "";
 }
 
-/// What \p quantity needs that \p joint has not.
-AnswerQuantity::Need lack_of(const AnswerQuantity& quantity, const Joint& joint) {
-    detail::ResolvedJoint has;
-    has.upper = joint.upper.elastic, has.nominal_area = joint.nominal_area, has.ultrasound = joint.waves;
-    has.conduction = joint.conduction, has.friction = joint.friction;
-    return detail::lack_of(quantity, has);
+/// \p joint resolved, with any height: no quantity needs one.
+detail::ResolvedJoint with_any_face(Joint joint) {
+    joint.face.rms_height = 1e-6;
+    return detail::problem_of(joint, {});
 }
 
 /// The quantities called \p names. \throws domain_error unless \p joint has what they need.
-std::vector<const AnswerQuantity*> quantities_called(const std::vector<std::string>& names, const Joint& joint) {
+std::vector<const AnswerQuantity*> quantities_called(const std::vector<std::string>& names,
+                                                     const detail::ResolvedJoint& joint) {
     std::vector<const AnswerQuantity*> quantities;
     for (const std::string& name : names) {
         quantities.push_back(&detail::quantity_called(name, "quantities"));
-        if (const auto need = lack_of(*quantities.back(), joint); need != AnswerQuantity::nothing)
+        if (const auto need = detail::lack_of(*quantities.back(), joint); need != AnswerQuantity::nothing)
             throw domain_error("quantities: " + name + " needs " + std::string(words_of(need)));
     }
     return quantities;
@@ -252,13 +197,14 @@ nb::dict dict_of(Columns& columns) {
 }
 
 nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<FaceInput>& other,
-                 const std::pair<Solid, Solid>& bodies, const In& pressures, const Numbers& numbers,
+                 const std::pair<Body, Body>& bodies, const In& pressures, const Numbers& numbers,
                  const std::vector<std::string>& quantities, bool is_table) {
     Columns columns{.count = count, .pressures = pressures.size()};
     {
         const nb::gil_scoped_release free;
         Joint joint = joint_of(bodies.first, bodies.second, numbers);
-        const std::vector<const AnswerQuantity*> wanted = quantities_called(quantities, joint);
+        const detail::ResolvedJoint of_bodies = with_any_face(joint);
+        const std::vector<const AnswerQuantity*> wanted = quantities_called(quantities, of_bodies);
         AnswerOptions how;
         how.progress = until_interrupted();
         if (const auto found = numbers.find("samples"); found != numbers.end())
@@ -269,7 +215,7 @@ nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<F
         if (!numbers.contains("seating"))  // the separation takes more time than all else
             for (const AnswerQuantity& each : answer_quantities())
                 if (each.of_law != Quantity::separation && each.place > 0 &&
-                    lack_of(each, joint) == AnswerQuantity::nothing)
+                    detail::lack_of(each, of_bodies) == AnswerQuantity::nothing)
                     how.quantities.emplace_back(each.word);
         for (std::size_t i = 0; i < count; ++i) {
             how.progress("joints", i, count);
@@ -278,24 +224,42 @@ nb::dict answers(std::size_t count, const FaceInput& face, const std::optional<F
                 if (other) joint.other = other->at(i);
                 columns.put(answer(joint, numbers_of(pressures), how), i, wanted);
             } catch (const domain_error& error) {
-                const domain_error own = with_own_name(error);
-                if (!is_table) throw own;
+                if (!is_table) throw;
                 if (!face.has_gap(i) && !(other && other->has_gap(i)))
-                    throw own.with_place({.file = "surface " + std::to_string(i)});
-                columns.put(own.what(), i, numbers_of(pressures));
+                    throw error.with_place({.file = "surface " + std::to_string(i)});
+                columns.put(error.what(), i, numbers_of(pressures));
             }
         }
     }
     return dict_of(columns);
 }
 
+/// The names of the numbers of \p owner and other words for them, each with its SI unit, its meaning and its name.
+template <class Owner>
+nb::dict names_of(const Owner& owner) {
+    nb::dict names;
+    const auto text = [](std::string_view view) { return nb::str(view.data(), view.size()); };
+    each_field(owner, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+        names[text(name)] = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
+        for (const std::string_view word : facts.words)
+            names[text(word)] = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
+    });
+    return names;
+}
+
 }  // namespace
 
 void add_answers(nb::module_& m) {
+    m.def("numbers_of_joint", [] {
+        nb::dict all;
+        all["face"] = names_of(JointFace()), all["body"] = names_of(Body()), all["joint"] = names_of(Joint());
+        all["waves"] = names_of(UltrasonicWaves()), all["friction"] = names_of(Friction());
+        return all;
+    });
     nb::class_<FaceInput>(m, "Face", "A face, or as many as there are joints.")
         .def(
             "__init__",
-            [](FaceInput* self, std::map<std::string, In> numbers, std::string process,
+            [](FaceInput* self, std::map<std::string, In, std::less<>> numbers, std::string process,
                const std::vector<std::shared_ptr<const surface::MeasuredSurface>>& measured) {
                 std::vector<std::shared_ptr<const MeasuredFace>> faces;
                 for (const auto& each : measured)
@@ -308,8 +272,9 @@ void add_answers(nb::module_& m) {
         [](std::size_t count, const FaceInput& face, const std::optional<FaceInput>& other, const std::string& upper,
            const Numbers& of_upper, const std::string& lower, const Numbers& of_lower, const In& pressures,
            const Numbers& numbers, const std::vector<std::string>& quantities, bool is_table) {
-            return answers(count, face, other, {solid_of(upper, of_upper, "upper"), solid_of(lower, of_lower, "lower")},
-                           pressures, numbers, quantities, is_table);
+            return answers(count, face, other,
+                           {body_called(upper, of_upper, "upper"), body_called(lower, of_lower, "lower")}, pressures,
+                           numbers, quantities, is_table);
         },
         nb::arg("count"), nb::arg("face"), nb::arg("other").none(), nb::arg("upper"), nb::arg("of_upper"),
         nb::arg("lower"), nb::arg("of_lower"), nb::arg("pressures"), nb::arg("numbers"), nb::arg("quantities"),

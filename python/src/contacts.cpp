@@ -133,34 +133,20 @@ Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<s
 }
 
 /// The joint of numbers by their names; its face is \p measured where that is given.
-Joint joint_of(const std::map<std::string, double>& numbers, const std::string& interaction,
+Joint joint_of(const Numbers& numbers, const std::string& interaction,
                const surface::MeasuredSurface* measured = nullptr) {
-    const auto number = [&](const char* name) {
-        const auto found = numbers.find(name);
-        return found == numbers.end() ? std::optional<double>() : found->second;
-    };
-    Joint joint{.face = {.rms_height = number("rms_height"),
-                         .rms_gradient = number("rms_gradient"),
-                         .skewness = number("skewness"),
-                         .kurtosis = number("kurtosis"),
-                         .peak_radius = number("peak_radius"),
-                         .peak_density = number("peak_density"),
-                         .max_peak_height = number("max_peak_height"),
-                         .r = number("r"),
-                         .theta = number("theta"),
-                         .fractal_dimension = number("fractal_dimension")},
-                .upper = {.elastic = {0, number("poisson_ratio").value_or(std::numeric_limits<double>::quiet_NaN())},
-                          .yield_strength = number("yield_strength"),
-                          .hardness = number("hardness")},
-                .effective_modulus = number("effective_modulus"),
-                .interaction = {from_name<InteractionReading>(interaction, "interaction"),
-                                number("interaction_length").value_or(0)}};
+    Joint joint;
+    joint.upper.elastic.poisson_ratio = std::numeric_limits<double>::quiet_NaN();  // not known
+    take_numbers(joint, numbers), take_numbers(joint.face, numbers), take_numbers(joint.upper, numbers);
+    const auto length = numbers.find("interaction_length");
+    joint.interaction = {from_name<InteractionReading>(interaction, "interaction"),
+                         length == numbers.end() ? 0 : length->second};
     if (measured) joint.face.measured = fstiff::measured_face(measured->found);
     return joint;
 }
 
-OneContact of_numbers(const std::string& law, const std::map<std::string, double>& numbers,
-                      const std::string& interaction, const surface::MeasuredSurface* measured) {
+OneContact of_numbers(const std::string& law, const Numbers& numbers, const std::string& interaction,
+                      const surface::MeasuredSurface* measured) {
     const nb::gil_scoped_release free;
     return actions::make_contact(law, joint_of(numbers, interaction, measured), until_interrupted());
 }
@@ -352,8 +338,7 @@ void add_contacts(nb::module_& m) {
         nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
     m.def(
         "sensitivity",
-        [](const std::string& law, const std::map<std::string, double>& numbers, const std::string& interaction,
-           double pressure) {
+        [](const std::string& law, const Numbers& numbers, const std::string& interaction, double pressure) {
             const nb::gil_scoped_release free;
             return actions::sensitivity_of(law, joint_of(numbers, interaction), pressure);
         },

@@ -2,6 +2,8 @@
 #pragma once
 // What the parts of the module fstiff._core share: arrays of NumPy in and out, and Ctrl-C.
 
+#include <fstiff/answer/joint_fields.hpp>
+#include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
 
 #include <nanobind/nanobind.h>
@@ -11,9 +13,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,6 +57,33 @@ private:
     std::unique_ptr<double[]> data_;
     std::vector<std::size_t> shape_;
 };
+
+/// Numbers by their names.
+using Numbers = std::map<std::string, double, std::less<>>;
+
+/// Gives the fields of \p owner, of each_field(), the numbers that \p find has by their names or by other words for
+/// them. \throws domain_error for a number by two names.
+template <class Owner, class Find>
+void take_numbers(Owner& owner, const Find& find) {
+    each_field(owner, [&](std::string_view name, auto& value, const NumberFacts& facts) {
+        std::string_view first;
+        const auto take = [&](std::string_view key) {
+            const std::optional<double> number = find(key);
+            if (!number) return;
+            if (!first.empty()) throw domain_error(std::string(key) + ": must not be given with " + std::string(first));
+            first = key, value = *number;
+        };
+        take(name);
+        for (const std::string_view word : facts.words) take(word);
+    });
+}
+template <class Owner>
+void take_numbers(Owner& owner, const Numbers& numbers) {
+    take_numbers(owner, [&](std::string_view key) {
+        const auto given = numbers.find(key);
+        return given == numbers.end() ? std::nullopt : std::optional(given->second);
+    });
+}
 
 /// Ends a computation by what a signal raises, KeyboardInterrupt for Ctrl-C.
 ProgressHook until_interrupted();

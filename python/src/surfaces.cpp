@@ -242,7 +242,7 @@ void add_surfaces(nb::module_& m) {
         "parse_quantity",
         [](const std::string& text, const std::string& unit, const std::string& name) {
             if (unit == "rad") return io::parse_angle(text, name);
-            if (name.ends_with("mean_height"))
+            if (name.ends_with("mean_height") || name.ends_with("Ra"))
                 if (const auto of_grade = request::mean_height_of_grade(text)) return *of_grade;
             for (const auto& [dimension, _] : enum_names<io::Dimension>)
                 if (request::si_unit(dimension) == unit) return io::parse_quantity(text, dimension, name);

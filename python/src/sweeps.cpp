@@ -6,13 +6,17 @@
 #include "sweep/engine.hpp"
 
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 namespace fstiff::python {
 namespace {
@@ -89,7 +93,8 @@ private:
 
 nb::dict swept(const std::string& text, const std::string& file, const std::string& axes,
                const std::map<std::string, In>& numbers, const std::string& surface,
-               const surface::MeasuredSurface* measured, unsigned threads) {
+               const surface::MeasuredSurface* measured, std::optional<std::pair<std::uint64_t, std::uint64_t>> part,
+               unsigned threads) {
     Given given{.text = axes};
     for (const auto& [key, array] : numbers)
         given.numbers[key].assign(numbers_of(array).begin(), numbers_of(array).end());
@@ -97,9 +102,12 @@ nb::dict swept(const std::string& text, const std::string& file, const std::stri
     const Grid grid = file.empty() ? read_grid(text, "scene", given)
                                    : read_grid(document::read_all(file, document::longest_scene),
                                                document::display_name(file), given);
+    const Rows rows = part ? Rows{part->first, part->second} : Rows{0, grid.size};
+    grid.require(rows,
+                 "rows = (" + std::to_string(rows.first) + ", " + std::to_string(rows.end) + "): must be (FROM, TO)");
     SceneMaker maker(grid, {.name = "", .surface = surface, .measured = measured});
     SweptColumns columns(grid);
-    run(grid, maker, 0, grid.size,
+    run(grid, maker, rows,
         {.threads = threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()),
          .lines = false,
          .progress = until_interrupted()},
@@ -120,7 +128,7 @@ nb::dict swept(const std::string& text, const std::string& file, const std::stri
 
 void add_sweeps(nb::module_& m) {
     m.def("sweep", &swept, nb::arg("text"), nb::arg("file"), nb::arg("axes"), nb::arg("numbers"), nb::arg("surface"),
-          nb::arg("measured").none(), nb::arg("threads"));
+          nb::arg("measured").none(), nb::arg("rows").none(), nb::arg("threads"));
 }
 
 }  // namespace fstiff::python

@@ -3,6 +3,13 @@
 
 #include "c/measure.hpp"
 
+#include <fstiff/answer/joint_fields.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
 namespace fstiff::c {
 namespace {
 
@@ -52,6 +59,32 @@ Body body_of(const fstiff_solid& from) {
             .hardness = known(from.hardness)};
 }
 
+/// Puts \p value into the number of \p owner called \p name, or by another word for it. \return whether it has one.
+template <class Owner>
+bool take_number(Owner& owner, std::string_view name, double value) {
+    bool taken = false;
+    each_field(owner, [&](std::string_view each, auto& to, const NumberFacts& facts) {
+        if (each == name || std::count(facts.words.begin(), facts.words.end(), name) > 0) to = value, taken = true;
+    });
+    return taken;
+}
+
+/// The same for a number of \p joint by its path, such as "face.alpha". Waves, friction and the other face begin to be
+/// there with a number.
+bool take_number_at(Joint& joint, std::string_view path, double value) {
+    const std::size_t dot = path.find('.');
+    if (dot == path.npos) return take_number(joint, path, value);
+    const std::string_view owner = path.substr(0, dot), name = path.substr(dot + 1);
+    const auto begun = [](auto& part) -> auto& { return part ? *part : part.emplace(); };
+    if (owner == "face") return take_number(joint.face, name, value);
+    if (owner == "other") return take_number(begun(joint.other), name, value);
+    if (owner == "upper") return take_number(joint.upper, name, value);
+    if (owner == "lower") return take_number(joint.lower, name, value);
+    if (owner == "waves") return take_number(begun(joint.waves), name, value);
+    if (owner == "friction") return take_number(begun(joint.friction), name, value);
+    return owner == "conduction" && take_number(joint.conduction, name, value);
+}
+
 }  // namespace
 
 Joint joint_of(const fstiff_joint& from, bool with_band) {
@@ -65,6 +98,16 @@ Joint joint_of(const fstiff_joint& from, bool with_band) {
                 .interaction = {static_cast<InteractionReading>(from.interaction), from.interaction_length}};
     if (from.other) joint.other = face_of(from.other, "other", with_band);
     if (from.shifts != 0) joint.shifts = from.shifts;
+    for (std::size_t i = 0; i < from.number_count; ++i) {
+        (void)not_null(from.names, "names"), (void)not_null(from.names[i], "names"),
+            (void)not_null(from.numbers, "numbers");
+        const std::string_view name = from.names[i];
+        const double value = from.numbers[i];
+        if (!std::isnan(value) && !take_number_at(joint, name, value))
+            throw domain_error("names: \"" + std::string(name.substr(0, 60)) +
+                               "\" must be the name of a number of a joint, such as \"face.alpha\", or "
+                               "\"lower.density\" (docs/linking-c.md)");
+    }
     return joint;
 }
 

@@ -51,7 +51,7 @@ constexpr OldName old_names[] = {
     {"islands", "is fstiff measure --show islands, with the same options"},
     {"peaks", "is PeakDistribution of the C++ library; r and theta of a profile are in fstiff measure --show fit"},
     {"spectrum", "is fstiff measure --show spectrum, with the same options"},
-    {"merge", "is cat part-*.jsonl > all.jsonl, because shards follow one another in the order of their numbers"},
+    {"merge", "is cat part-*.jsonl > all.jsonl, of parts whose names are in the order of their --rows"},
     {"report", "is python -m fstiff report SCENE -o FILE.html, of the Python package"},
     {"reproduce", "is python -m fstiff reproduce FOLDER, of the Python package"},
     {"integral", "is a program of its own, example_integral, which a build from source makes"},

@@ -92,32 +92,7 @@ std::string printed(const nlohmann::ordered_json& json, int indent) {
     return text;
 }
 
-Json json_of(const nlohmann::ordered_json& parsed) {
-    if (parsed.is_object()) {
-        Json object = Json::object();
-        for (const auto& [key, value] : parsed.items()) object[key] = json_of(value);
-        return object;
-    }
-    if (parsed.is_array()) {
-        Json array = Json::array();
-        for (const auto& item : parsed) array.push_back(json_of(item));
-        return array;
-    }
-    if (parsed.is_string()) return parsed.get<std::string>();
-    if (parsed.is_boolean()) return parsed.get<bool>();
-    if (parsed.is_number_unsigned()) return parsed.get<std::uint64_t>();
-    if (parsed.is_number_integer()) return parsed.get<std::int64_t>();
-    return parsed.is_number() ? Json(parsed.get<double>()) : Json();
-}
-
 }  // namespace
-
-bool is_json(std::string_view text) { return nlohmann::ordered_json::accept(text); }
-
-std::optional<Json> parsed_json(std::string_view text) {
-    const auto parsed = nlohmann::ordered_json::parse(text, nullptr, false);
-    return parsed.is_discarded() ? std::nullopt : std::optional(json_of(parsed));
-}
 
 std::string Json::str() const { return printed(JsonPrinter()(*this), 2) + '\n'; }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A JSON document in the making: written like nlohmann's, with which json.cpp prints and reads. Keys keep their order.
+// A JSON document in the making: written like nlohmann's, with which json.cpp prints. Keys keep their order.
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -50,12 +49,7 @@ public:
     /// \throws domain_error for anything else.
     [[nodiscard]] std::vector<double> numbers() const;
     /// The text; null where it is something else.
-    [[nodiscard]] const std::string* word() const { return value<std::string>(); }
-    /// The value as it is kept, an integer from 0 on in std::uint64_t; null where it is something else.
-    template <class Value>
-    [[nodiscard]] const Value* value() const {
-        return std::get_if<Value>(&value_);
-    }
+    [[nodiscard]] const std::string* word() const { return std::get_if<std::string>(&value_); }
 
     /// Indented by two, with a line end. Bytes that are no UTF-8 (of a file name, a header line) become U+FFFD: a
     /// document is always valid JSON.
@@ -74,12 +68,6 @@ private:
 /// \p text in quotation marks, with all control characters as \\uXXXX but those that have a letter, such as \\n; JSON
 /// itself asks that of those below U+0020 only. Bytes that are no UTF-8 become U+FFFD.
 [[nodiscard]] std::string json_text(std::string_view text);
-
-/// Whether \p text is one value of JSON.
-[[nodiscard]] bool is_json(std::string_view text);
-
-/// The value in \p text; none where it is no JSON.
-[[nodiscard]] std::optional<Json> parsed_json(std::string_view text);
 
 /// Starts a JSON document: schema version, version of fstiff, name of the subcommand.
 [[nodiscard]] Json json_document(std::string_view command);

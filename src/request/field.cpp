@@ -120,6 +120,20 @@ std::string_view si_unit(io::Dimension dimension) {
     }
 }
 
+std::optional<io::Dimension> dimension_of(std::string_view unit) {
+    if (unit.empty()) return std::nullopt;
+    for (const auto& [dimension, name] : enum_names<io::Dimension>)
+        if (si_unit(dimension) == unit) return dimension;
+    return std::nullopt;
+}
+
+Field field_of(const NumberFacts& facts) {
+    if (facts.unit.empty()) return {};
+    Field field{.dimension = dimension_of(facts.unit)};
+    if (facts.low == 0 && !facts.low_too) field.high = std::numeric_limits<double>::max(), field.above_low = true;
+    return field;
+}
+
 std::string_view example(io::Dimension dimension) {
     using io::Dimension;
     switch (dimension) {

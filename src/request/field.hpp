@@ -6,6 +6,7 @@
 //     template <class Take>
 //     void each_field(Take take) { take("points", points, {.help = "points of a row", .low = 16, .high = 4096}); }
 
+#include <fstiff/answer/joint_fields.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/names.hpp>
 #include <fstiff/io/units.hpp>
@@ -84,6 +85,10 @@ struct Field {
 }
 
 [[nodiscard]] std::string_view si_unit(io::Dimension dimension);
+/// The dimension whose SI unit is \p unit; none of a plain number.
+[[nodiscard]] std::optional<io::Dimension> dimension_of(std::string_view unit);
+/// A number of a joint as a field: a quantity is positive where its range begins there; the library checks the rest.
+[[nodiscard]] Field field_of(const NumberFacts& facts);
 /// A quantity as an example of how to write one.
 [[nodiscard]] std::string_view example(io::Dimension dimension);
 

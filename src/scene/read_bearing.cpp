@@ -22,31 +22,6 @@ using CoreKeys = std::array<std::string_view, 5>;
 constexpr std::array<CoreKeys, 2> core_keys{
     {{"Sk", "Spk", "Svk", "Smr1", "Smr2"}, {"Rk", "Rpk", "Rvk", "Rmr1", "Rmr2"}}};
 
-/// The names of skewness and kurtosis, those of a map and of a profile too.
-using MomentKeys = std::array<std::string_view, 3>;
-constexpr MomentKeys skewness_keys{"skewness", "Ssk", "Rsk"}, kurtosis_keys{"kurtosis", "Sku", "Rku"};
-
-void read_shape(Source& source, const Section& surface, JointFace& face) {
-    std::string_view skewness_key = surface.one_of(skewness_keys), kurtosis_key = surface.one_of(kurtosis_keys);
-    const auto number = [&](std::string_view& key, const MomentKeys& keys, std::string_view other) {
-        if (key.empty()) key = keys[0];
-        const toml::node& node =
-            surface.at(key, "is missing; surface.skewness and surface.kurtosis belong together, and " +
-                                surface.key(other) + " is there");
-        const double value = source.number(node, surface.key(key));
-        if (key != keys[0]) source.record_default(surface.key(keys[0]), "of " + std::string(key), value);
-        return value;
-    };
-    const double skewness = number(skewness_key, skewness_keys, kurtosis_key),
-                 kurtosis = number(kurtosis_key, kurtosis_keys, skewness_key);
-    if (!(std::abs(skewness) <= detail::most_skewness<double>)) surface.refuse(skewness_key, "must be from -3 to 3");
-    const double least = skewness * skewness + 1;
-    if (!(kurtosis >= least && kurtosis <= detail::most_kurtosis<double>))
-        surface.refuse(kurtosis_key, "must be from " + document::rounded(least, 3) +
-                                         " to 100 at this skewness; 3 is that of Gaussian heights");
-    face.skewness = skewness, face.kurtosis = kurtosis;
-}
-
 detail::MaterialRatio<double> read_core(Source& source, const Section& surface, const CoreKeys& keys) {
     const std::string why = "is missing; " + std::string(keys[0]) + ", " + std::string(keys[1]) + ", " +
                             std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
@@ -92,7 +67,7 @@ MaterialRatioSlope<double> read_heights(Source& source, const toml::node& node, 
 }  // namespace
 
 std::vector<std::string_view> bearing_keys() {
-    std::vector<std::string_view> keys{"skewness", "kurtosis", "Ssk", "Sku", "Rsk", "Rku", "bearing_curve"};
+    std::vector<std::string_view> keys{"bearing_curve"};
     for (const CoreKeys& core : core_keys) keys.insert(keys.end(), core.begin(), core.end());
     return keys;
 }
@@ -117,7 +92,7 @@ void read_bearing(Source& source, const Section& surface, JointFace& face) {
     for (std::size_t i = 0; i < ways.size(); ++i)
         if (const std::string_view* key = first_of(ways[i])) firsts.push_back(*key), chosen = i;
     if (surface.one_of(firsts, "give one bearing curve").empty()) return;
-    if (chosen == 0) return read_shape(source, surface, face);
+    if (chosen == 0) return;  // which are numbers of the face
     const std::string_view key = *first_of(ways[chosen]);
     const toml::node& node = *surface.find(key);
     if (chosen == 1) {

@@ -5,6 +5,7 @@
 #include "document/shown_unit.hpp"
 
 #include <fstiff/answer/checks.hpp>
+#include <fstiff/answer/resolve.hpp>
 #include <fstiff/asperity/hardness.hpp>
 #include <fstiff/io/quantities.hpp>
 
@@ -12,19 +13,28 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 
 namespace fstiff::scene {
 namespace {
 
-constexpr std::array<std::string_view, 7> body_keys{
-    "name",     "youngs_modulus",       "poisson_ratio",          "yield_strength",
-    "hardness", "thermal_conductivity", "electrical_conductivity"};
+const std::vector<std::string_view>& body_keys() {
+    static const auto keys = [] {
+        std::vector<std::string_view> all{"name"};
+        fstiff::Body none;
+        each_field(none, [&](std::string_view name, auto&, const NumberFacts&) { all.push_back(name); });
+        return all;
+    }();
+    return keys;
+}
 
 /// Refuses a key of a body in [material] itself, naming the section that takes it.
 void refuse_keys_of_body(const Source& source, const toml::table& material) {
     for (const auto& [key, node] : material) {
+        if (key.str() == "upper" || key.str() == "lower") continue;
         const std::string_view meant = request::meant_key(key.str(), std::array<std::string_view, 2>{"upper", "lower"});
-        const std::string_view of_body = request::meant_key(key.str(), body_keys);
+        const std::string_view of_body = request::meant_key(key.str(), body_keys());
         if (!meant.empty() || of_body.empty()) continue;
         const auto name = material["upper"].value<std::string>();
         throw domain_error(source.at(node) + ": material." + std::string(key.str()) +
@@ -36,18 +46,8 @@ void refuse_keys_of_body(const Source& source, const toml::table& material) {
 /// A body of [material].
 struct ReadBody {
     fstiff::Body body{};
-    std::optional<double> thermal{}, electrical{};   ///< conductivities
-    bool gives_heat = false, gives_current = false;  ///< they are written, and not of the name alone
+    bool gives_heat = false, gives_current = false;  ///< conductivities are written, and not of the name alone
     const NamedMaterial* name = nullptr;
-
-    void each_elastic(auto take) {
-        take("youngs_modulus", body.elastic.youngs_modulus, request::positive(Dimension::pressure));
-        take("poisson_ratio", body.elastic.poisson_ratio, Field{});
-    }
-    void each_conductivity(auto take) {
-        take("thermal_conductivity", thermal, request::positive(Dimension::thermal_conductivity));
-        take("electrical_conductivity", electrical, request::positive(Dimension::electrical_conductivity));
-    }
 };
 
 const NamedMaterial& named_material(Source& source, const toml::node& node, const std::string& key) {
@@ -105,17 +105,12 @@ std::optional<double> read_hardness(Source& source, const Section& body, double 
     return pressure;
 }
 
-void record_of_name(Source& source, const std::string& key, const NamedMaterial& name, double value,
-                    std::string_view unit) {
-    source.record_default(key, "of " + std::string(name.name), value, unit);
-}
-
 /// A name, or a section that may begin from one: what else it holds replaces the values of the name.
 ReadBody read_material(Source& source, const toml::node& node, const std::string& key) {
     static const toml::table empty;
     if (!node.is_string() && !node.is_table())
         source.refuse(node, key, "must be the name of a material, such as \"steel\", or a section of keys");
-    const Section body(source, node.is_table() ? *node.as_table() : empty, key, body_keys);
+    const Section body(source, node.is_table() ? *node.as_table() : empty, key, body_keys());
     ReadBody read;
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
@@ -123,40 +118,29 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
     if (!read.name && !body.find("youngs_modulus"))
         static_cast<void>(
             body.at("youngs_modulus", "is missing; add name = \"steel\" or another material, or give it"));
-    body.read([&](auto take) { read.each_elastic(take); },
-              [&](std::string_view name, double value) {
-                  if (!read.name) static_cast<void>(body.at(name));
-                  record_of_name(source, body.key(name), *read.name, value, name == "youngs_modulus" ? "Pa" : "");
-              });
-    if (body.find("poisson_ratio")) try {
-            (void)effective_modulus(read.body.elastic, read.body.elastic);
-        } catch (const domain_error& error) {
-            throw error.with_parameter(body.key(error.parameter())).with_place(source.place(body.at("poisson_ratio")));
+    each_field(read.body, [&](std::string_view name, auto& value, const NumberFacts& facts) {
+        constexpr bool required = std::is_same_v<decltype(value), double&>;
+        if constexpr (!required)
+            if (name == "hardness") return void(value = read_hardness(source, body, read.body.elastic.youngs_modulus));
+        if (read_number(source, body, name, value, facts)) return;
+        if constexpr (required) {
+            if (!read.name) static_cast<void>(body.at(name));
+            source.record_default(body.key(name), "of " + std::string(read.name->name), value, facts.unit);
         }
-    read.body.yield_strength = body.optional_positive("yield_strength", Dimension::pressure);
-    read.body.hardness = read_hardness(source, body, read.body.elastic.youngs_modulus);
-    body.read([&](auto take) { read.each_conductivity(take); });
-    read.gives_heat = read.thermal.has_value(), read.gives_current = read.electrical.has_value();
-    const auto usual = [](std::optional<double>& value, double of_name) {
-        if (!value && of_name > 0) value = of_name;
-    };
-    if (read.name) {
-        usual(read.thermal, read.name->thermal_conductivity);
-        const bool known = read.name->thermal_conductivity > 0;  // an insulator conducts no current, and is known to
-        if (!read.electrical && known) read.electrical = read.name->electrical_conductivity;
-    }
+    });
+    read.gives_heat = body.find("thermal_conductivity"), read.gives_current = body.find("electrical_conductivity");
     return read;
 }
 
 /// Warns of a hardness or a yield strength that no material has, likely for a unit.
 void warn_of_strength(const ReadBody& body, const char* name, Scene& scene) {
-    const auto& [elastic, yield, hardness, range] = body.body;
+    const auto &yield = body.body.yield_strength, &hardness = body.body.hardness;
     const std::string place = std::string("material.") + name;
     const auto warn = [&](const char* key, double value, const char* limit, double most, const char* why) {
         scene.warnings.push_back(place + key + " = " + document::with_unit(value, "Pa", 3) + limit +
                                  document::with_unit(most, "Pa", 3) + why);
     };
-    const double E = elastic.youngs_modulus;
+    const double E = body.body.elastic.youngs_modulus;
     if (hardness && std::isfinite(*hardness) && *hardness > E / 10 && E > 15e9)
         warn(".hardness", *hardness, " is above a tenth of the modulus, ", E / 10, ": a unit is likely wrong");
     else if (hardness && std::isfinite(*hardness) && *hardness > E / 5)
@@ -190,10 +174,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     take_bodies(upper.body, lower.body, {}, scene.joint);
     scene.joint.is_given.heat = upper.gives_heat || lower.gives_heat;
     scene.joint.is_given.current = upper.gives_current || lower.gives_current;
-    if (upper.thermal && lower.thermal)
-        scene.joint.conduction.thermal = joint_conductivity(*upper.thermal, *lower.thermal);
-    if (upper.electrical && lower.electrical)
-        scene.joint.conduction.electrical = joint_conductivity(*upper.electrical, *lower.electrical);
+    detail::take_conductivities(upper.body, lower.body, scene.joint.conduction);
     warn_of_strength(upper, "upper", scene);
     if (second) warn_of_strength(lower, "lower", scene);
     if (!assumed) return;
@@ -230,37 +211,37 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
     return product;
 }
 
-/// A body of [ultrasound]; \p table is null where it is not there. Its missing values are those of the material
-/// \p name, unless it gives its impedance itself.
-Body read_body(Source& source, const toml::table* table, const std::string& key, const NamedMaterial* name,
-               Scene& scene) {
+/// The body \p side of [ultrasound]; \p table is null where it is not there. Its missing values are those of
+/// \p material, called \p name, unless it gives its impedance itself.
+Body read_body(Source& source, const toml::table* table, const std::string& side, fstiff::Body material,
+               const NamedMaterial* name, Scene& scene) {
     static const toml::table none;
-    const Section body(source, table ? *table : none, key,
+    const Section body(source, table ? *table : none, "ultrasound." + side,
                        {"impedance", "density", "velocity", "shear_impedance", "shear_velocity"});
-    if (body.find("impedance")) name = nullptr;
+    if (body.find("impedance")) material = {};
+    const std::string of = name ? std::string(name->name) : "material." + side;
     std::string taken;
     const auto usual = [&](const char* what, double value, std::string_view unit) {
-        record_of_name(source, body.key(what), *name, value, unit);
+        source.record_default(body.key(what), "of " + of, value, unit);
         taken +=
             (taken.empty() ? "" : ", ") + std::string(what) + " " + document::rounded(value) + " " + std::string(unit);
         return value;
     };
     auto density = body.optional_positive("density", Dimension::density);
-    if (!density && name) density = usual("density", name->density, "kg/m^3");
-    const auto velocity = [&](const char* what, const char* other, double value) {
-        const bool is_usual = value > 0 && !body.find(what) && !body.find(other);
-        return is_usual ? std::optional(usual(what, value, "m/s")) : std::nullopt;
+    if (!density && material.density) density = usual("density", *material.density, "kg/m^3");
+    const auto velocity = [&](const char* what, const char* other, const std::optional<double>& value) {
+        const bool is_usual = value && !body.find(what) && !body.find(other);
+        return is_usual ? std::optional(usual(what, *value, "m/s")) : std::nullopt;
     };
-    const auto [fast, slow] = name ? name->wave_speeds() : std::pair(0.0, 0.0);
-    const auto impedance =
-        read_impedance(source, body, "impedance", "velocity", density, velocity("velocity", "impedance", fast));
+    const auto impedance = read_impedance(source, body, "impedance", "velocity", density,
+                                          velocity("velocity", "impedance", material.velocity));
     if (!impedance)
         throw domain_error((table ? source.at(body.node()) : source.file) + ": " + body.key("impedance") +
                            ": is missing; the scene needs it, or " + body.key("density") + " and " +
                            body.key("velocity"));
-    const auto usual_shear = velocity("shear_velocity", "shear_impedance", slow);
+    const auto usual_shear = velocity("shear_velocity", "shear_impedance", material.shear_velocity);
     const auto shear = read_impedance(source, body, "shear_impedance", "shear_velocity", density, usual_shear);
-    if (!taken.empty()) scene.assumptions.push_back(key + " as " + std::string(name->name) + ": " + taken);
+    if (!taken.empty()) scene.assumptions.push_back("ultrasound." + side + " as " + of + ": " + taken);
     return {*impedance, shear, usual_shear.has_value()};
 }
 
@@ -269,17 +250,22 @@ Body read_body(Source& source, const toml::table* table, const std::string& key,
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
     const Section section(source, table, "ultrasound", {"frequency", "film_stiffness", "upper", "lower"});
     UltrasonicWaves waves;
-    waves.frequency = section.positive("frequency", Dimension::frequency);
+    static_cast<void>(section.at("frequency"));
+    each_field(waves, [&](std::string_view name, auto& value, const NumberFacts& facts) {
+        read_number(source, section, name, value, facts);
+    });
     if (!std::isfinite(waves.angular()) || waves.angular() == 0)
         source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
-    waves.film_stiffness = section.optional_positive("film_stiffness", Dimension::stiffness_per_area).value_or(0);
     const auto sides = [&](const char* name) { return section.find(name) ? &section.subtable(name) : nullptr; };
     const toml::table *first = sides("upper"), *second = sides("lower");
-    if (!first && !scene.upper_name) static_cast<void>(section.subtable("upper"));  // which refuses it
-    Body upper = read_body(source, first, "ultrasound.upper", scene.upper_name, scene);
+    if (!first && !scene.upper_body.density) static_cast<void>(section.subtable("upper"));  // which refuses it
+    Body upper = read_body(source, first, "upper", scene.upper_body, scene.upper_name, scene);
     Body lower = upper;
-    if (second || (scene.lower_name && scene.lower_name != scene.upper_name)) {
-        lower = read_body(source, second, "ultrasound.lower", scene.lower_name, scene);
+    const auto waves_of = [](const fstiff::Body& body) {
+        return std::tuple(body.density, body.velocity, body.shear_velocity);
+    };
+    if (second || (scene.lower_body.density && waves_of(scene.lower_body) != waves_of(scene.upper_body))) {
+        lower = read_body(source, second, "lower", scene.lower_body, scene.lower_name, scene);
         if (upper.is_shear_usual && !lower.shear_impedance) upper.shear_impedance.reset();
         if (lower.is_shear_usual && !upper.shear_impedance) lower.shear_impedance.reset();
         if (upper.shear_impedance.has_value() != lower.shear_impedance.has_value())
@@ -347,16 +333,14 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
 }
 
 void read_friction(Source& source, const toml::table& table, Scene& scene) {
-    double coefficient = 0;
-    std::optional<double> amplitude;
-    const auto fields = [&](auto take) {
-        take("coefficient", coefficient, Field{.high = 10, .above_low = true});
-        take("amplitude", amplitude, request::positive(Dimension::length));
-    };
-    const Section friction(source, table, "friction", request::keys_of(fields));
-    static_cast<void>(friction.at("coefficient"));
-    friction.read(fields);
-    scene.joint.friction = {coefficient, amplitude};
+    Friction& friction = scene.joint.friction.emplace();
+    std::vector<std::string_view> keys;
+    each_field(friction, [&](std::string_view name, auto&, const NumberFacts&) { keys.push_back(name); });
+    const Section section(source, table, "friction", keys);
+    static_cast<void>(section.at("coefficient"));
+    each_field(friction, [&](std::string_view name, auto& value, const NumberFacts& facts) {
+        read_number(source, section, name, value, facts);
+    });
 }
 
 }  // namespace fstiff::scene

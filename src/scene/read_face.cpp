@@ -101,90 +101,13 @@ void record_measured(Source& source, const surface::MeasuredSurface& measured, c
                                              : line.unit);
 }
 
-/// What is known of a parameter of [surface], or with \p zero_too of one of surface.errors.
-Field field_of(const detail::ParameterRow& row, bool zero_too = false) {
-    if (row.unit.empty()) return {};
-    for (const Dimension dimension : {Dimension::length, Dimension::inverse_area})
-        if (row.unit == si_unit(dimension))
-            return zero_too ? Field{.dimension = dimension} : request::positive(dimension);
-    return {.dimension = Dimension::angle};
-}
-
-/// rms_gradient, alpha and hurst, as they are written.
-void each_of_spectrum(JointFace& face, auto take) {
-    take("rms_gradient", face.rms_gradient, Field{});  // the library has their ranges
-    take("alpha", face.alpha, Field{});
-    take("hurst", face.hurst, Field{});
-}
-
-void each_length(JointFace& face, auto take) {
-    take("max_peak_height", face.max_peak_height, request::positive(Dimension::length));
-    take("fractal_roughness", face.fractal_roughness, request::positive(Dimension::length));
-}
-
-/// surface.errors: standard errors of parameters that are known.
-void read_errors(Source& source, const Section& surface, JointFace& face) {
-    const toml::node* errors = surface.find("errors");
-    if (!errors) return;
-    if (!errors->is_table()) source.refuse(*errors, surface.key("errors"), "must be a table of standard errors");
-    constexpr std::array<std::string_view, 3> gradients{"rms_gradient", "Sdq", "Rdq"};
-    constexpr std::array<std::string_view, 4> heights{"Rq", "Sq", "Ra", "Sa"};
-    std::vector<std::string_view> keys(gradients.begin(), gradients.end());
-    keys.insert(keys.end(), heights.begin(), heights.end());
-    for (const detail::ParameterRow& row : detail::surface_parameter_table) keys.push_back(row.key);
-    const Section section(source, *errors->as_table(), surface.key("errors"), keys);
-    const auto require_error = [&](const toml::node& node, std::string_view key, bool known, const Field& field) {
-        if (!known) source.refuse(node, section.key(key), "needs the value of " + surface.key(key));
-        double error = 0;
-        source.read(node, section.key(key), error, field);
-        if (!(error >= 0 && std::isfinite(error)))
-            source.refuse(node, section.key(key), "must be finite and not negative");
-        return error;
-    };
-    const auto measured = [&](Parameter which) { return face.measured && face.measured->surface().find(which); };
-    for (const auto& [which, value, error] : detail::face_parameters) {
-        const detail::ParameterRow& row = detail::row_of(which);
-        const toml::node* node = section.find(row.key);
-        if (!node) continue;
-        face.errors.*error =
-            require_error(*node, row.key, surface.find(row.key) || measured(which), field_of(row, true));
-        const double half = static_cast<double>(row.high.value - row.low.value) / 2;
-        if (row.variation == detail::Variation::between && *(face.errors.*error) > half)
-            source.refuse(
-                *node, section.key(row.key),
-                "must be at most " + document::rounded(half, 3) + ", half the range of " + std::string(row.key));
-    }
-    for (const std::string_view key : heights)
-        if (const toml::node* node = section.find(key))
-            face.errors.height = require_error(*node, key, surface.find(key), {.dimension = Dimension::length});
-    for (const std::string_view key : gradients)
-        if (const toml::node* node = section.find(key))
-            face.errors.gradient = require_error(
-                *node, key,
-                surface.find(key) || (key == "rms_gradient" && face.measured && face.measured->surface().heights), {});
-}
-
 /// The keys of a face in \p table.
 std::vector<std::string_view> keys_of_face(const toml::table& table) {
-    std::vector<std::string_view> keys{"from",
-                                       "rms_height",
-                                       "peak_radius",
-                                       "peak_density",
-                                       "max_peak_height",
-                                       "fractal_dimension",
-                                       "fractal_roughness",
-                                       "r",
-                                       "theta",
-                                       "rms_gradient",
-                                       "alpha",
-                                       "hurst",
-                                       "errors",
-                                       "process"};
+    std::vector<std::string_view> keys = number_keys();
+    for (const std::string_view key : {"from", "errors", "process"}) keys.push_back(key);
     for (const std::string_view key : bearing_keys()) keys.push_back(key);
     if (table.contains("from"))
         for (const surface::SurfaceOptionRow& row : surface::surface_option_table()) keys.push_back(row.key);
-    else
-        for (const std::string_view key : roughness_keys()) keys.push_back(key);
     return keys;
 }
 
@@ -192,11 +115,12 @@ std::vector<std::string_view> keys_of_face(const toml::table& table) {
 void record_following(Source& source, const Section& surface, const detail::Face& face,
                       const std::vector<Following>& following) {
     for (auto number = following.rbegin(); number != following.rend(); ++number) {
-        const detail::ParameterRow& row = detail::row_of(number->which);
-        const auto value = number->which == Parameter::rms_height ? face.value(number->which) : face.rms_gradient;
-        source.inputs.insert(
-            source.inputs.begin() + static_cast<std::ptrdiff_t>(number->place),
-            {surface.key(row.key), "of " + std::string(number->of), value, std::string(row.unit), false});
+        const double value = number->name == "rms_height"     ? face.parameters.rms_height.value
+                             : number->name == "rms_gradient" ? *face.rms_gradient
+                                                              : number->value;
+        source.inputs.insert(source.inputs.begin() + static_cast<std::ptrdiff_t>(number->place),
+                             {surface.key(number->name), "of " + std::string(number->of), value,
+                              number->name == "rms_height" ? "m" : "", false});
     }
     for (const auto& [follows, which] : {std::pair(face.radius_follows, Parameter::peak_radius),
                                          std::pair(face.density_follows, Parameter::peak_density)})
@@ -205,25 +129,14 @@ void record_following(Source& source, const Section& surface, const detail::Face
                                   *face.value(which), detail::row_of(which).unit);
 }
 
-/// The parameters that \p surface writes.
-void read_parameters(Source& source, const Section& surface, JointFace& face) {
-    for (const auto& [which, into, error] : detail::face_parameters) {
-        const detail::ParameterRow& row = detail::row_of(which);
-        if (!face.measured && which == Parameter::rms_height) continue;  // read_roughness() has it
-        const toml::node* node = surface.find(row.key);
-        if (!node) continue;
-        double value = 0;
-        source.read(*node, surface.key(row.key), value, field_of(row));
-        face.*into = value;
-    }
-}
-
 /// The face of \p face; what it lacks is refused at the key of \p surface that it follows from.
 detail::Face face_of_section(const Source& source, const Section& surface, const JointFace& given) {
     try {
         return detail::face_of(given);
     } catch (const domain_error& error) {
-        const std::string key(error.parameter() == "bearing" ? first_bearing_key(surface) : error.parameter());
+        std::string key(error.parameter() == "bearing" ? first_bearing_key(surface)
+                                                       : key_of_number(surface, error.parameter()));
+        if (key.empty()) key = error.parameter();
         if (key.empty()) throw error.with_place(source.place(surface.node()));
         if (const toml::node* node = surface.find(key))
             source.refuse(*node, surface.key(key), std::string(error.reason()));
@@ -259,7 +172,6 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
     refuse_extremes(source, table, path);
     const Section surface(source, table, path, keys_of_face(table));
     JointFace given;
-    std::vector<Following> following;
     Measured& measured = scene.measured.emplace_back();
     if (surface.find("from")) {
         measured = read_from(source, surface, progress);
@@ -268,14 +180,11 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
     }
     if (const toml::node* node = surface.find("process"))
         given.process = read_process(source, *node, surface.key("process"), scene);
-    if (!given.measured) following = read_roughness(source, surface, given);
+    const std::vector<Following> following = read_numbers(source, surface, given);
     if (const toml::node* node = surface.find("Ra"); node && request::mean_height_of_grade(written(*node)))
         scene.assumptions.push_back(label_of(surface.key("Ra")) + "Ra " + document::shown_length(*given.mean_height) +
                                     ", of " + written(*node));
-    surface.read([&](auto take) { each_of_spectrum(given, take); });
-    read_parameters(source, surface, given);
     read_errors(source, surface, given);
-    surface.read([&](auto take) { each_length(given, take); });
     read_bearing(source, surface, given);
     detail::Face face = face_of_section(source, surface, given);
     if (surface.find("Sa"))

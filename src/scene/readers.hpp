@@ -47,16 +47,30 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
 [[nodiscard]] std::string first_bearing_key(const Section& surface);
 void read_bearing(Source& source, const Section& surface, JointFace& face);
+/// Reads the number \p name of a joint into \p value, if \p section has it. \return whether it has.
+template <class Value>
+bool read_number(Source& source, const Section& section, std::string_view name, Value& value,
+                 const NumberFacts& facts) {
+    const toml::node* node = section.find(name);
+    if (!node) return false;
+    double number = 0;
+    source.read(*node, section.key(name), number, request::field_of(facts));
+    if (!facts.holds(number)) source.refuse(*node, section.key(name), "must be " + facts.allowed());
+    value = number;
+    return true;
+}
 /// A number that follows from one of another name, and where it belongs among Source::inputs.
 struct Following {
     std::size_t place;
-    Parameter which;
-    std::string_view of;
+    std::string_view name, of;
+    double value;  ///< as it is written
 };
-/// The keys that give height and gradient by other names than rms_height and rms_gradient, and what they make of \p
-/// of, which is not measured.
-[[nodiscard]] std::vector<std::string_view> roughness_keys();
-[[nodiscard]] std::vector<Following> read_roughness(Source& source, const Section& surface, JointFace& face);
+/// The keys of the numbers of a face, and the one by which \p surface writes the number \p name; empty: it does not.
+[[nodiscard]] const std::vector<std::string_view>& number_keys();
+[[nodiscard]] std::string key_of_number(const Section& surface, std::string_view name);
+/// Reads the numbers of a face, and their standard errors. \return those that follow from what is written.
+[[nodiscard]] std::vector<Following> read_numbers(Source& source, const Section& surface, JointFace& face);
+void read_errors(Source& source, const Section& surface, JointFace& face);
 /// Refuses Rz and its like in \p table, the section \p path.
 void refuse_extremes(const Source& source, const toml::table& table, const std::string& path);
 

@@ -113,11 +113,6 @@ struct Scene {
     [[nodiscard]] bool needs_stiffness() const;
 
     Body upper_body, lower_body;
-    /// Takes `upper` and `lower` into the joint, in place of the elastic constants of the bodies.
-    void take_bodies() {
-        upper_body.elastic = joint.upper, lower_body.elastic = joint.lower;
-        detail::take_bodies(upper_body, lower_body, {}, joint);
-    }
 
     std::vector<std::string> files;  ///< that the scene names: surfaces and masks
     std::vector<Input> inputs;       ///< every key that was written or filled in by a default

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Random numbers that depend on (seed, scene, input) alone, so that every shard and thread draws the same.
+// Random numbers that depend on (seed, scene, input) alone, so that every part and thread draws the same.
 //
 //     x = philox4x32_10(counter = {scene, input}, key = seed),  u = (52 bits of x + 1/2)/2^52
 //

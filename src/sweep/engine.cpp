@@ -5,12 +5,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <system_error>
-#include <utility>
+#include <thread>
 #include <vector>
 
 namespace fstiff::sweep {
@@ -18,159 +17,121 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
 constexpr double block_seconds = 0.05;
 constexpr std::uint64_t most_in_block = 4096;
 constexpr std::size_t bytes_kept_free = std::size_t(1)
                                         << 26;  // while threads are started; of address space, not of memory
 
-/// Blocks of scenes between the threads that compute them and the one that hands them over.
-class Queue {
+/// The blocks of a run: threads take them in their order, and hand them over in the same order, each at its turn.
+class Blocks {
 public:
-    Queue(std::uint64_t first, std::uint64_t end, unsigned threads)
-        : next_(first), end_(end), most_ahead_(3 * std::size_t(threads)) {}
+    Blocks(const Grid& grid, SceneMaker& maker, Rows rows, const EngineOptions& options, const Sink& sink)
+        : grid_(grid),
+          maker_(maker),
+          rows_(rows),
+          options_(options),
+          sink_(sink),
+          next_(rows.first),
+          due_(rows.first) {}
 
-    /// The next scenes to compute, at most \p wanted, as the first and how many; none where there are no more.
-    std::pair<std::uint64_t, std::uint64_t> take(std::uint64_t wanted) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return stopped_ || next_ == end_ || open_ < most_ahead_; });
-        if (stopped_ || next_ == end_) return {};
-        const std::uint64_t first = next_, count = std::min(wanted, end_ - next_);
-        next_ += count;
-        ++open_;
-        return {first, count};
-    }
-    void put(Block block) {
-        {
-            const std::lock_guard lock(mutex_);
-            const std::uint64_t first = block.first;
-            ready_.emplace(first, std::move(block));
+    /// Computes blocks until none is left. \throws nothing: the first exception of all threads is kept.
+    void work(bool reports) noexcept {
+        try {
+            SceneMaker::Work work;
+            std::uint64_t wanted = 1;  // the time of a scene is not known yet
+            while (step(work, wanted))
+                if (reports && options_.progress && due() < rows_.end)
+                    options_.progress("scenes", static_cast<std::size_t>(due() - rows_.first),
+                                      static_cast<std::size_t>(rows_.end - rows_.first));
+        } catch (...) {
+            stop(std::current_exception());
         }
-        changed_.notify_all();
     }
-    void stop(std::exception_ptr error) {
+    /// No thread takes or hands over another block.
+    void stop(std::exception_ptr error) noexcept {
         {
             const std::lock_guard lock(mutex_);
             stopped_ = true;
             if (!error_) error_ = std::move(error);
         }
-        changed_.notify_all();
+        turn_.notify_all();
     }
-    /// The block that begins with the scene \p first. \throws what a thread has thrown.
-    Block wait_for(std::uint64_t first) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return error_ || ready_.contains(first); });
+    /// \throws what a thread has thrown.
+    void rethrow() const {
         if (error_) std::rethrow_exception(error_);
-        Block block = std::move(ready_.extract(first).mapped());
-        --open_;
-        lock.unlock();
-        changed_.notify_all();
-        return block;
+    }
+    /// The first scene that was not handed over.
+    [[nodiscard]] std::uint64_t due() const {
+        const std::lock_guard lock(mutex_);
+        return due_;
     }
 
 private:
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::map<std::uint64_t, Block> ready_;
-    std::uint64_t next_, end_;
-    std::size_t open_ = 0, most_ahead_;  ///< blocks that were taken and not yet handed over
+    bool step(SceneMaker::Work& work, std::uint64_t& wanted) {
+        std::unique_lock lock(mutex_);
+        const std::uint64_t first = next_, count = stopped_ ? 0 : std::min(wanted, rows_.end - first);
+        if (count == 0) return false;
+        next_ += count;
+        lock.unlock();
+        const auto begun = Clock::now();
+        Block block = block_of(grid_, maker_, work, first, count);
+        if (options_.lines)
+            block = {.first = first, .end = block.end, .failed = block.failed, .lines = lines_of(grid_, block)};
+        const double each = std::chrono::duration<double>(Clock::now() - begun).count() / static_cast<double>(count);
+        const double fit = std::min(block_seconds / std::max(each, 1e-9), 4 * static_cast<double>(wanted));
+        wanted = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(fit), 1, most_in_block);
+        lock.lock();
+        turn_.wait(lock, [&] { return stopped_ || due_ == first; });
+        if (stopped_) return false;
+        sink_(block);
+        due_ = block.end;
+        lock.unlock();
+        turn_.notify_all();
+        return true;
+    }
+
+    const Grid& grid_;
+    SceneMaker& maker_;
+    const Rows rows_;
+    const EngineOptions& options_;
+    const Sink& sink_;
+    mutable std::mutex mutex_;
+    std::condition_variable turn_;
+    std::uint64_t next_, due_;  ///< to take, to hand over
     bool stopped_ = false;
     std::exception_ptr error_;
 };
 
-/// Computes one block after the other.
-class Worker {
-public:
-    Worker(const Grid& grid, SceneMaker& maker, Queue& queue, bool lines)
-        : grid_(grid), maker_(maker), queue_(queue), lines_(lines) {}
-
-    /// \returns false where there is no block left.
-    bool step() {
-        const auto [first, count] = queue_.take(wanted_);
-        if (count == 0) return false;
-        const auto begun = Clock::now();
-        Block block = block_of(grid_, maker_, work_, first, count);
-        if (lines_) {
-            std::string lines = lines_of(grid_, block);
-            block = {.first = first, .end = block.end, .failed = block.failed, .lines = std::move(lines)};
-        }
-        const double seconds_each = seconds_since(begun) / static_cast<double>(count);
-        const double fit = std::min(block_seconds / std::max(seconds_each, 1e-9), 4 * static_cast<double>(wanted_));
-        wanted_ = std::clamp<std::uint64_t>(static_cast<std::uint64_t>(fit), 1, most_in_block);
-        queue_.put(std::move(block));
-        return true;
-    }
-
-private:
-    const Grid& grid_;
-    SceneMaker& maker_;
-    Queue& queue_;
-    bool lines_;
-    SceneMaker::Work work_;
-    std::uint64_t wanted_ = 1;  // the time of a scene is not known yet
-};
-
-/// As many threads as the system starts. Ends them whatever happens.
-class Threads {
-public:
-    Threads(Queue& queue, unsigned count, const ThreadStart& start, const std::function<void()>& call) : queue_(queue) {
-        all_.reserve(count);
+/// Starts \p count threads, or as many as the system has room for.
+std::vector<std::thread> helpers(unsigned count, Blocks& blocks) {
+    std::vector<std::thread> all;
+    try {
+        all.reserve(count);
         // where the stacks of the threads meet a limit on memory, the work needs some too
         const std::unique_ptr<char[]> kept_free(new (std::nothrow) char[bytes_kept_free]);
-        try {
-            while (kept_free && all_.size() < count) all_.push_back(start ? start(call) : std::thread(call));
-        } catch (const std::system_error&) {  // a limit on threads, or on memory
-        } catch (const std::bad_alloc&) {
-        }
+        while (kept_free && all.size() < count) all.emplace_back([&] { blocks.work(false); });
+    } catch (const std::system_error&) {  // a limit on threads, or on memory
+    } catch (const std::bad_alloc&) {
     }
-    [[nodiscard]] unsigned count() const { return static_cast<unsigned>(all_.size()); }
-    Threads(const Threads&) = delete;
-    Threads& operator=(const Threads&) = delete;
-    ~Threads() {
-        queue_.stop(nullptr);
-        for (std::thread& thread : all_) thread.join();
-    }
-
-private:
-    Queue& queue_;
-    std::vector<std::thread> all_;
-};
+    return all;
+}
 
 }  // namespace
 
-unsigned run(const Grid& grid, SceneMaker& maker, std::uint64_t first, std::uint64_t end, const EngineOptions& options,
-             const Sink& sink) {
-    std::uint64_t next = first;
-    /// Goes on with \p wanted threads, or as many as start, or of none with this one. \returns how many.
-    const auto go_on = [&](unsigned wanted) {
-        Queue queue(next, end, std::max(1U, wanted));
-        const auto call = [&] {
-            try {
-                Worker worker(grid, maker, queue, options.lines);
-                while (worker.step()) continue;
-            } catch (...) {
-                queue.stop(std::current_exception());
-            }
-        };
-        const Threads threads(queue, wanted, options.start, call);
-        Worker here(grid, maker, queue, options.lines);
-        while (next < end) {
-            if (threads.count() == 0) here.step();
-            const Block block = queue.wait_for(next);
-            sink(block);
-            next = block.end;
-            if (options.progress && next < end)
-                options.progress("scenes", static_cast<std::size_t>(next - first),
-                                 static_cast<std::size_t>(end - first));
-        }
-        return threads.count();
-    };
-    for (unsigned threads = std::max(1U, options.threads);; threads /= 2) try {
-            return go_on(threads);
+unsigned run(const Grid& grid, SceneMaker& maker, Rows rows, const EngineOptions& options, const Sink& sink) {
+    for (unsigned wanted = std::max(1U, options.threads);; wanted = std::max(1U, wanted / 2)) {
+        Blocks blocks(grid, maker, rows, options, sink);
+        std::vector<std::thread> threads = helpers(wanted - 1, blocks);
+        blocks.work(true);
+        for (std::thread& thread : threads) thread.join();
+        try {
+            blocks.rethrow();
+            return static_cast<unsigned>(threads.size()) + 1;
         } catch (const std::bad_alloc&) {  // fewer threads leave more memory to each
-            if (threads == 0) throw;
+            if (wanted == 1) throw;
+            rows.first = blocks.due();
         }
+    }
 }
 
 }  // namespace fstiff::sweep

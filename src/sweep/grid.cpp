@@ -4,13 +4,14 @@
 #include "document/file.hpp"
 #include "sweep/template.hpp"
 
-#include <fstiff/core/version.hpp>
 #include <fstiff/io/quantities.hpp>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace fstiff::sweep {
@@ -43,8 +44,36 @@ bool names_text(const std::string& key) {
     return key.ends_with(".from") || key.ends_with(".mask") || key.ends_with(".name");
 }
 
-/// \p node as a number, with a unit of any kind; none for other texts, lists, tables.
-std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node& node, const std::string& key) {
+/// The dimension of the numbers at \p key, "surface.rms_height" or "contact.pressures[0]", where they are those of a
+/// joint or of its loads; none of others.
+std::optional<Dimension> dimension_of_key(std::string_view key) {
+    static const auto dimensions = [] {
+        std::map<std::string, Dimension, std::less<>> all{{"contact.pressure", Dimension::pressure},
+                                                          {"contact.pressures", Dimension::pressure},
+                                                          {"contact.separations", Dimension::length},
+                                                          {"contact.force", Dimension::force}};
+        const auto add = [&](const std::string& section, auto owner) {
+            each_field(owner, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+                const auto dimension = request::dimension_of(facts.unit);
+                if (!dimension) return;
+                all.emplace(section + "." + std::string(name), *dimension);
+                for (const std::string_view word : facts.words)
+                    all.emplace(section + "." + std::string(word), *dimension);
+            });
+        };
+        for (const char* surface : {"surface", "surface.upper", "surface.lower"}) add(surface, JointFace());
+        for (const char* body : {"material.upper", "material.lower"}) add(body, Body());
+        add("contact", Joint()), add("friction", Friction()), add("ultrasound", UltrasonicWaves());
+        return all;
+    }();
+    const auto entry = dimensions.find(key.substr(0, key.find('[')));
+    return entry == dimensions.end() ? std::nullopt : std::optional(entry->second);
+}
+
+/// \p node of the axis \p axis as a number, with its unit or, where the axis is not known, one of any kind; none for
+/// other texts, lists, tables.
+std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node& node, const std::string& key,
+                                          const std::string& axis) {
     if (node.is_number()) {
         double value = 0;
         const auto number = request::value_of(node);
@@ -53,7 +82,9 @@ std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node
     }
     if (!node.is_string()) return std::nullopt;
     const std::string text = request::written(node);
+    const auto known = dimension_of_key(axis);
     for (const auto& [dimension, name] : enum_names<Dimension>) {
+        if (known && dimension != *known) continue;
         try {
             return NumberWithUnit{io::parse_quantity(text, dimension, ""), dimension};
         } catch (const domain_error&) {
@@ -63,11 +94,13 @@ std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node
 }
 
 /// Two quantities of one kind, such as the ends of a range.
-std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const toml::node& first,
-                                                         const toml::node& second, const std::string& first_key,
-                                                         const std::string& second_key) {
+std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const std::string& axis,
+                                                         const toml::node& first, const toml::node& second,
+                                                         const std::string& first_key, const std::string& second_key) {
     const auto finite = [&](const toml::node& node, const std::string& key) {
-        const auto number = quantity_of(source, node, key);
+        const auto number = quantity_of(source, node, key, axis);
+        if (const auto known = dimension_of_key(axis); !number && known && node.is_string())
+            source.located(node, [&] { return io::parse_quantity(request::written(node), *known, key); });
         if (!number || !std::isfinite(number->value))
             source.refuse(node, key, "must be a finite number, or a text of a number and its unit such as \"0.8 um\"");
         return *number;
@@ -87,7 +120,7 @@ void read_range(Source& source, const toml::table& table, Swept& swept) {
     const std::string& key = swept.axis.key;
     const Section section(source, table, key, {"from", "to", "count", "spacing"});
     const auto [from, to] =
-        two_quantities(source, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
+        two_quantities(source, key, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
     std::uint64_t count = 0;
     source.read(section.at("count"), section.key("count"), count, {.low = 2, .high = most_scenes});
     constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
@@ -120,7 +153,8 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
     Distribution& drawn = swept.axis.drawn.emplace();
     drawn.kind = static_cast<Distribution::Kind>(kind);
     if (log) {
-        const auto middle = quantity_of(source, first, key), spread = quantity_of(source, second, key);
+        const auto middle = quantity_of(source, first, key, swept.axis.key),
+                   spread = quantity_of(source, second, key, swept.axis.key);
         if (!middle || !spread || !(middle->value > 0) || !(spread->value > 0)) source.refuse(node, key, allowed);
         drawn.a = middle->value, drawn.b = spread->value;
         if (!second.is_number()) {  // a mean and a standard deviation of the quantity itself
@@ -132,7 +166,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
         swept.axis.unit = unit_of(middle->dimension);
         return;
     }
-    const auto [a, b] = two_quantities(source, first, second, key + "[0]", key + "[1]");
+    const auto [a, b] = two_quantities(source, swept.axis.key, first, second, key + "[0]", key + "[1]");
     drawn.a = a.value, drawn.b = b.value;
     swept.axis.unit = unit_of(a.dimension);
     if (kind == 0 && !(b.value > 0)) source.refuse(second, key + "[1]", "must be greater than 0");
@@ -160,7 +194,7 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
     if (!list || list->empty()) source.refuse(node, key, "must be a list of at least one value");
     swept.listed = *list;
     std::optional<NumberWithUnit> first;
-    if (!names_text(swept.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]");
+    if (!names_text(swept.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]", swept.axis.key);
     for (std::size_t i = 0; i < list->size(); ++i) {
         const toml::node& item = (*list)[i];
         if (!first) {
@@ -168,7 +202,7 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
             continue;
         }
         const std::string item_key = key + "[" + std::to_string(i) + "]";
-        const auto number = quantity_of(source, item, item_key);
+        const auto number = quantity_of(source, item, item_key, swept.axis.key);
         if (!number || number->dimension != first->dimension)
             source.refuse(item, item_key, "must be of the same kind as the first of the list");
         swept.axis.numbers.push_back(number->value);
@@ -278,18 +312,6 @@ std::uint64_t count_scenes(const Source& source, const std::vector<Swept>& swept
     return size;
 }
 
-/// Appends the sha256 of \p file to \p text, and of the files of a folder.
-void add_hash(std::string& text, const std::filesystem::path& file) {
-    const auto hash = [](const auto& member) {
-        return document::sha256(document::read_all(document::name_of_path(member))) + "\n";
-    };
-    if (!std::filesystem::is_directory(file)) return void(text += hash(file));
-    std::set<std::filesystem::path> inside;
-    for (const auto& entry : std::filesystem::directory_iterator(file))
-        if (entry.is_regular_file()) inside.insert(entry.path());
-    for (const auto& member : inside) text += document::name_of_path(member.filename()) + " " + hash(member);
-}
-
 /// Appends the files that \p node names at the keys from and mask to \p files.
 void add_files(const Source& source, const toml::node& node, bool is_file, std::vector<std::string>& files) {
     if (const auto* table = node.as_table()) {
@@ -328,6 +350,12 @@ void Grid::values(std::uint64_t index, std::vector<Value>& values) const {
     }
 }
 
+void Grid::require(const Rows& rows, const std::string& shown) const {
+    if (rows.first >= rows.end || rows.end > size)
+        throw document::option_error(shown + ", whole numbers with 0 <= FROM < TO <= " + std::to_string(size) +
+                                     ", the scenes of " + file);
+}
+
 Grid read_grid(const std::string& text, const std::string& file, const Given& given) {
     Source source{file, {}};
     toml::table root = request::parse_toml(text, file);
@@ -363,10 +391,10 @@ Grid read_grid(const std::string& text, const std::string& file, const Given& gi
     }
     read_sweep(source, sweep ? sweep->as_table() : nullptr, grid);
     grid.size = count_scenes(source, finder.axes, grid);
-    std::string hashed = "fstiff sweep " FSTIFF_VERSION_TEXT "\n" + document::sha256(text) + "\n";
     if (const toml::node* surface = root.get("surface")) add_files(source, *surface, false, grid.files);
-    for (const std::string& named : grid.files) add_hash(hashed, named);
-    grid.hash = document::sha256(hashed);
+    for (const std::string& named : grid.files)
+        if (!std::filesystem::exists(document::path_of(named)))
+            throw file_error(named, "no such file; the input must be an existing file");
     root.erase("sweep");
     form->root = std::move(root);
     grid.form = std::move(form);

@@ -53,12 +53,16 @@ struct Value {
     std::uint64_t place = 0;  ///< on the axis; 0 of a distribution
 };
 
+/// Scenes by their indices: from \p first up to \p end, which is none of them.
+struct Rows {
+    std::uint64_t first = 0, end = 0;
+};
+
 struct Template;  // the TOML of the scene
 
 struct Grid {
     std::string file;                ///< as messages call it
     std::vector<std::string> files;  ///< that it names
-    std::string hash;                ///< of the text, of the files it names, and of the version of fstiff
     Mode mode = Mode::product;
     std::uint64_t samples = 1;  ///< draws at each point of the grid
     std::uint64_t seed = 2014;
@@ -69,6 +73,8 @@ struct Grid {
 
     /// Replaces \p values by those of the scene \p index, which is less than size.
     void values(std::uint64_t index, std::vector<Value>& values) const;
+    /// \throws option_error, which begins with \p shown, where \p rows are none or not all of the grid.
+    void require(const Rows& rows, const std::string& shown) const;
 };
 
 /// What a program sweeps in a scene, by keys such as those of axes.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Scenes of a grid: numbers that enter a scene as they are, such as the rms height or a pressure, are put into a scene
-// that was read before; all other values change the TOML, which is read once for each of their combinations.
+// Scenes of a grid, each read of the TOML with its values. Scenes that differ in their point alone share what was read,
+// and what was measured of a file is kept for the scenes that have it.
 //
 // Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
@@ -20,8 +20,8 @@
 
 namespace fstiff::sweep {
 
-/// The scenes that were read last, for all threads.
-class RecentScenes {
+/// The measured surfaces that were read last, for all threads: each in a scene that has it.
+class RecentSurfaces {
 public:
     /// Place and number of each value that distinguishes them.
     using Key = std::vector<std::pair<std::uint64_t, double>>;
@@ -39,20 +39,12 @@ private:
 /// Shared by all threads. The grid must live as long.
 class SceneMaker {
 public:
-    /// A number that enters a scene as it is, between two ends that are excluded: outside, reading reports the error.
-    struct Number {
-        std::string_view key, unit;
-        void (*put)(scene::Scene& scene, std::size_t place, double value);
-        double least, most;
-    };
-
     /// \throws domain_error where the scene cannot be read with the first or the last values of an axis.
     /// \p from may have a surface, in place of that of the scene.
     explicit SceneMaker(const Grid& grid, scene::SceneSource from = {});
 
     /// A scene that one thread changes from one to the next, and its contacts.
     struct Work {
-        std::shared_ptr<const scene::Scene> read;  ///< what `scene` was copied from
         scene::Scene scene;
         std::vector<detail::MadeContact> contacts;
         std::vector<Value> made_for{};  ///< whose contacts these are; empty: nobody's
@@ -68,24 +60,15 @@ public:
     [[nodiscard]] bool alike(const std::vector<Value>& a, const std::vector<Value>& b) const;
 
 private:
-    struct Setter {
-        const Number* number = nullptr;  ///< null: the table is read anew
-        std::size_t place = 0;
-    };
-    void put(const std::vector<Value>& values, Work& work);
-    [[nodiscard]] std::shared_ptr<const scene::Scene> read(const std::vector<Value>& values);
-    [[nodiscard]] std::shared_ptr<const scene::Scene> read_with(const std::vector<Value>& values,
-                                                                const scene::Scene* surface) const;
-    [[nodiscard]] std::shared_ptr<const scene::Scene> cached(const std::vector<Value>& values);
-    [[nodiscard]] Setter setter_of(const Axis& axis) const;
+    [[nodiscard]] scene::Scene read(const std::vector<Value>& values);
+    [[nodiscard]] scene::Scene read_with(const std::vector<Value>& values, const scene::Scene* surface) const;
 
     const Grid& grid_;
     scene::SceneSource from_;
-    std::vector<Setter> setters_;
     std::size_t point_axis_ = 0;
     bool folds_ = false;
     bool measured_ = false;  ///< the scenes have files of surfaces
-    RecentScenes scenes_, surfaces_;
+    RecentSurfaces surfaces_;
 };
 
 }  // namespace fstiff::sweep

@@ -170,7 +170,7 @@ static void test_laws(void) {
     const fstiff_solid steel = {205e9, 0.3, 0.7e9, 2e9};
     for (const char* law; strcmp(law = fstiff_law_name((int)laws), "unknown law") != 0; ++laws) {
         char key[64];
-        sprintf(key, "contact/%s", law);
+        sprintf(key, "law/%s", law);
         double *wanted = numbers_of(key, &count), stiffness[most];
         fstiff_face face = fine_face();
         face.rms_gradient = 0.1;

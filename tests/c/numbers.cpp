@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <span>
 #include <vector>
 
 namespace {
@@ -102,31 +101,32 @@ void print_law_of_answer() {
     print("answer/laws", all);
 }
 
-/// K by each law of a joint of numbers, or of a joint of heights under two pressures where the law needs them.
+/// K by each law of a joint of numbers, or by those that need one of a joint of heights.
 void print_laws(const HeightMap<double>& map, const std::vector<double>& pressures) {
     const Body steel{.elastic = {205e9, 0.3}, .yield_strength = 0.7e9, .hardness = 2e9};
-    const Joint of_numbers{.face = {.rms_height = 0.832e-6,
-                                    .rms_gradient = 0.1,
-                                    .peak_radius = 40e-6,
-                                    .peak_density = 500e6,
-                                    .max_peak_height = 5.3e-6,
-                                    .r = 0.5,
-                                    .theta = 1.0,
-                                    .fractal_dimension = 1.62},
-                           .upper = steel,
-                           .lower = steel};
-    const Joint of_heights{.face = {.measured = measured_face(measure(map))}, .upper = steel, .lower = steel};
+    const Joint joint{.face = {.rms_height = 0.832e-6,
+                               .rms_gradient = 0.1,
+                               .peak_radius = 40e-6,
+                               .peak_density = 500e6,
+                               .max_peak_height = 5.3e-6,
+                               .r = 0.5,
+                               .theta = 1.0,
+                               .fractal_dimension = 1.62},
+                      .upper = steel,
+                      .lower = steel};
     for (const ChosenLaw& law : detail::all_laws()) {
-        const auto stiffness = [&](const Joint& joint, std::size_t count) {
-            std::vector<double> all;
-            for (const auto& point :
-                 contact_of(joint, law)->at_pressures(std::span(pressures).first(count), Quantity::stiffness))
-                all.push_back(point.ok() ? point.state.stiffness.value : 0);
-            return all;
-        };
-        const bool needs_map = law.which == LawKind::summits || law.which == LawKind::boundary_elements;
-        print(("contact/" + std::string(law.row().name)).c_str(),
-              needs_map ? stiffness(of_heights, 2) : stiffness(of_numbers, pressures.size()));
+        std::vector<double> stiffness, some = pressures;
+        try {
+            for (const auto& point : contact_of(joint, law)->at_pressures(some, Quantity::stiffness))
+                stiffness.push_back(point.ok() ? point.state.stiffness.value : 0);
+        } catch (const domain_error&) {
+            Joint of_map = joint;
+            of_map.face = {.measured = measured_face(measure(map))};
+            some.resize(2);
+            for (const auto& point : contact_of(of_map, law)->at_pressures(some, Quantity::stiffness))
+                stiffness.push_back(point.ok() ? point.state.stiffness.value : 0);
+        }
+        print(("law/" + std::string(law.row().name)).c_str(), stiffness);
     }
 }
 

@@ -75,7 +75,7 @@ TEST_CASE("the sizes of version 0.1 are taken", "[c]") {
     if (sizeof(void*) != 8) return;
     CHECK(first_size<fstiff_face> == 216);
     CHECK(first_size<fstiff_solid> == 32);
-    CHECK(first_size<fstiff_joint> == 136);
+    CHECK(first_size<fstiff_joint> == 160);
     CHECK(first_size<fstiff_answer_points> == 96);
     CHECK(first_size<fstiff_points> == 72);
     CHECK(first_size<fstiff_law_facts> == 56);

@@ -160,14 +160,14 @@ TEST_CASE("A seed is a whole number of 64 bits that is not negative") {
     CHECK(greatest.out != run_fstiff(make + "0").out);
 }
 
-TEST_CASE("The output - is standard output, and what must be a file refuses it") {
+TEST_CASE("The output - is standard output") {
     const Folder folder;
     folder.write("d.csv", profile());
     folder.write("grid.toml", read(FSTIFF_SCENES "/../examples/sweeps/grid.toml"));
     const std::string in = "cd '" + (folder / "") + "' && fstiff ";
-    for (const char* command :
-         {"run", "measure --show fit d.csv", "measure d.csv", "measure --show spectrum d.csv", "formats",
-          "export --to abaqus", "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
+    for (const char* command : {"run", "measure --show fit d.csv", "measure d.csv", "measure --show spectrum d.csv",
+                                "formats", "export --to abaqus", "sweep grid.toml --rows 7:9",
+                                "generate profile --points 64 --spacing '1 um' --hurst 0.5 --rms '1 um'"}) {
         const Outcome plain = shell(in + command), dash = shell(in + command + " -o -");
         INFO(command << "\n" << dash.err);
         CHECK(plain.status % 4 == 0);
@@ -176,7 +176,6 @@ TEST_CASE("The output - is standard output, and what must be a file refuses it")
         CHECK(dash.out == plain.out);
     }
     CHECK(folder.files() == 2);
-    check_harmless(folder, "sweep grid.toml -o -", 2, {"is standard output", "must be a file"});
     REQUIRE(shell(in + "run -o ./-").status == 0);  // a file of that name
     CHECK(read(folder / "-") == shell(in + "run").out);
 }

@@ -266,101 +266,74 @@ TEST_CASE("Laws of a measured map have the digits of fstiff run, whether their p
             return replaced(replaced(of_modulus, "[0.3, 0.2]", line.at(2).second),
                             "{ values = [\"1 MPa\", \"3 MPa\", \"9 MPa\"] }", "\"" + line.at(3).second + " Pa\"");
         });
-        std::filesystem::remove(out);
-        std::filesystem::remove(out + ".sweep");
     }
 }
 
-TEST_CASE("cat of the shards is the sweep itself, byte for byte, for any number of shards and threads") {
+TEST_CASE("Parts of a sweep joined in their order are the sweep itself, byte for byte, for any rows and threads") {
     for (const std::string& text : {grid, replaced(grid, "[\"20 um\", \"40 um\"]", "{ lognormal = [\"40 um\", 0.2] }") +
                                               "[sweep]\nsamples = 3\n"}) {
-        const Folder work;
-        const std::string file = work.write("grid.toml", text);
-        REQUIRE(run_fstiff("sweep '" + file + "' -o '" + work / "serial" + "' --threads 1").status == 0);
-        const std::string serial = read(work / "serial");
-        CHECK(lines(serial).size() == 2 * 7 * (contains(text, "samples") ? 3 : 2) * 11);
-        for (const int shards : {1, 2, 8, 12}) {  // of twelve the names are part-01 to part-12
-            std::string script;
-            for (int i = 1; i <= shards; ++i)
-                script += "fstiff sweep '" + file + "' --shard " + std::to_string(i) + "/" + std::to_string(shards) +
-                          " --threads " + std::to_string(1 + i % 3) + " -o '" + work / "part-{shard}.jsonl" +
-                          "' >/dev/null || exit\n";
-            const Outcome outcome = shell(script + "cat '" + work / "" + "'part-*.jsonl");
-            INFO(outcome.err);
-            REQUIRE(outcome.status == 0);
-            CHECK(outcome.out == serial);
-            const Outcome again = shell(script);
-            CHECK(again.status == 0);
-            const auto said = lines(again.err);
-            CHECK(std::count(said.begin(), said.end(), "fstiff: nothing is left to compute") == shards);
-            shell("rm '" + work / "" + "'part-*");
+        const Folder folder;
+        const std::string sweep = "sweep '" + folder.write("grid.toml", text) + "'";
+        REQUIRE(run_fstiff(sweep + " -o '" + folder / "whole" + "' --threads 1").status == 0);
+        const std::string whole = read(folder / "whole");
+        const unsigned scenes = 7 * (contains(text, "samples") ? 3 : 2) * 11;
+        CHECK(lines(whole).size() == 2 * scenes);
+        CHECK(run_fstiff(sweep + " --count").out == std::to_string(scenes) + "\n");
+        for (const unsigned parts : {1U, 2U, 9U}) {
+            std::string all;
+            for (unsigned i = 0; i < parts; ++i) {
+                const std::string rows =
+                    std::to_string(scenes * i / parts) + ":" + std::to_string(scenes * (i + 1) / parts);
+                const std::string part = sweep + " --rows " + rows + " --threads " + std::to_string(1 + i % 3);
+                const Outcome to_file = run_fstiff(part + " -o '" + folder / "part" + "'");
+                INFO(to_file.err);
+                CHECK(to_file.status == 0);
+                CHECK(contains(to_file.out, "which " + rows + " are computed") == contains(to_file.out, "part"));
+                all += read(folder / "part");
+                CHECK(run_fstiff(part).out == read(folder / "part"));
+            }
+            CHECK(all == whole);
         }
     }
 }
 
-TEST_CASE("A second sweep does nothing, and a cut one goes on, wherever it was cut") {
-    const Folder folder;
-    const std::string file = folder.write("grid.toml", grid), out = folder / "out";
-    const std::string sweep = "sweep '" + file + "' -o '" + out + "'";
-    REQUIRE(run_fstiff(sweep).status == 0);
-    const std::string whole = read(out), description = read(out + ".sweep");
-    const Outcome again = run_fstiff(sweep);
-    CHECK(again.status == 0);
-    CHECK(contains(again.err, "nothing is left to compute"));
-    CHECK(read(out) == whole);
-    const std::string unfinished =
-        std::regex_replace(description, std::regex("\"finished\": true"), "\"finished\": false");
-    for (const std::size_t left : {std::size_t(0), std::size_t(1), std::size_t(500), whole.find('\n') + 1,
-                                   whole.size() / 2, whole.size() - 1, whole.size()}) {
-        folder.write("out.sweep", unfinished);
-        folder.write("out", whole.substr(0, left));
-        INFO("cut at " << left);
-        CHECK(run_fstiff(sweep).status == 0);
-        CHECK(read(out) == whole);
-        CHECK(read(out + ".sweep") == description);
+TEST_CASE("Rows that are none of the grid are refused") {
+    for (const char* rows :
+         {"5:2", "3:3", "0:155", "a:b", "5", "5:", ":5", "1:2:3", "-1:2", "1e1:20", "18446744073709551616:2"}) {
+        const Folder folder;
+        const std::string sweep =
+            "sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --rows " + rows;
+        check_refusal(
+            run_fstiff(sweep), sweep, 2,
+            {"--rows = \"" + std::string(rows) + "\": must be FROM:TO, whole numbers with 0 <= FROM < TO <= 154"});
+        CHECK(folder.files() == 1);
     }
-    // zeros after what was synced, as some file systems leave them after a loss of power, and a scene in between that
-    // is lost
-    folder.write("out.sweep", unfinished);
-    folder.write("out", whole.substr(0, 1000) + std::string(5000, '\0'));
-    CHECK(run_fstiff(sweep).status == 0);
-    CHECK(read(out) == whole);
-    folder.write("out.sweep", unfinished);
-    const std::size_t middle = whole.find("{\"index\":70,"), behind = whole.find("{\"index\":71,");
-    folder.write("out", whole.substr(0, middle) + whole.substr(behind));
-    CHECK(run_fstiff(sweep).status == 0);
-    CHECK(read(out) == whole);
+    check_refused("sweep grid.toml --count", 2, {"--count prints a number and computes nothing"});
 }
 
-TEST_CASE("Results of another grid, shard or unknown origin are refused") {
+TEST_CASE("A sweep replaces results of a sweep, whole, and nothing else") {
     const Folder folder;
-    const std::string file = folder.write("grid.toml", grid), out = folder / "out";
-    const auto sweep = [&](const std::string& more = "") {
-        return run_fstiff("sweep '" + file + "' -o '" + out + "'" + more);
-    };
-    REQUIRE(sweep().status == 0);
-    const std::string whole = read(out);
-    const auto refused = [&](const Outcome& outcome, const std::string& sentence) {
-        INFO(outcome.err);
-        CHECK(outcome.status == 3);
-        CHECK(contains(outcome.err, sentence));
-        CHECK(read(out) == whole);
-    };
-    refused(sweep(" --shard 1/2"), "holds the results of shard 1/1, not 1/2; give every shard a file of its own");
-    folder.write("grid.toml", replaced(grid, "40 um", "41 um"));
-    refused(sweep(), "holds results of another grid");
     folder.write("grid.toml", grid);
-    std::filesystem::rename(out + ".sweep", out + ".kept");
-    refused(sweep(), "out.sweep that names its grid and shard is missing");
-    std::filesystem::rename(out + ".kept", out + ".sweep");
-    folder.write("out", whole + "x");
-    CHECK(contains(sweep().err, "was changed since it was finished"));
-    folder.write("out", whole);
-    CHECK(sweep().status == 0);
-    const Outcome itself = run_fstiff("sweep '" + file + "' -o '" + file + "'");
+    const std::string go = "cd '" + folder / "" + "' && fstiff sweep grid.toml -o out";
+    for (const std::string& old :
+         {std::string(), read(folder / "grid.toml"), std::string("{\"index\":0,\"law\":1}\n")}) {
+        folder.write("out", old);
+        const Outcome outcome = shell(go);
+        INFO(outcome.err);
+        CHECK(outcome.status == (old.empty() ? 0 : 3));
+        if (old.empty()) continue;
+        CHECK(contains(outcome.err, "out: was not made by fstiff and is not replaced"));
+        CHECK(read(folder / "out") == old);
+    }
+    REQUIRE(shell(go + " --force").status == 0);
+    const std::string whole = read(folder / "out");
+    CHECK(shell(go + " --rows 0:10").status == 0);
+    CHECK(whole.starts_with(read(folder / "out")));
+    CHECK(folder.files() == 2);
+    const Outcome itself = shell(replaced(go, "-o out", "-o grid.toml --force"));
     CHECK(itself.status == 3);
     CHECK(contains(itself.err, "would be written over"));
-    CHECK(read(file) == grid);
+    CHECK(read(folder / "grid.toml") == grid);
 }
 
 TEST_CASE("Errors of values are reported before anything is computed") {
@@ -382,8 +355,6 @@ TEST_CASE("Errors of values are reported before anything is computed") {
     check(replaced(grid, "[\"20 um\", \"40 um\"]", "{ from = \"20 um\", to = \"40 um\", count = 1e18 }"),
           "surface.peak_radius.count = 1e+18: must be a whole number from 2 to 9007199254740992, written without a");
     CHECK(run_fstiff("sweep").status == 2);
-    CHECK(run_fstiff("sweep '" + folder.write("grid.toml", grid) + "' -o '" + folder / "out" + "' --shard 3").status ==
-          2);
 }
 
 TEST_CASE("A scene that cannot be computed has its reason, and the others have their results") {
@@ -403,9 +374,6 @@ TEST_CASE("A scene that cannot be computed has its reason, and the others have t
     }
     CHECK(seen[true].size() == 14);
     CHECK(seen[false].size() == 28);
-    const Outcome again = run_fstiff("sweep '" + file + "' -o '" + folder / "out" + "'");
-    CHECK(again.status == 4);
-    CHECK(contains(again.err, "14 scenes cannot be computed"));
 }
 
 }  // namespace sweep_test

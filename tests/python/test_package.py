@@ -139,14 +139,12 @@ def test_the_document_shows_what_comes_out(root, folder):
 
 
 def test_the_programs_of_sweeps_give_what_their_document_shows(root, folder, command):
-    """docs/sweep.md: what is left of shards, a table of Parquet, the picture and the shares of the inputs."""
+    """docs/sweep.md: a table of Parquet, the picture and the shares of the inputs."""
     pytest.importorskip("pyarrow")
     pytest.importorskip("xarray")
     for name, results in (("grid", "results"), ("scatter", "scatter")):
         (folder / f"{name}.toml").write_text((root / "examples" / "sweeps" / f"{name}.toml").read_text())
         command("sweep", f"{name}.toml", "-o", f"{results}.jsonl")
-    for shard in (1, 2, 4):
-        command("sweep", "grid.toml", "--shard", f"{shard}/4", "-o", "part-{shard}.jsonl")
     check_document(root / "docs" / "sweep.md")
     drawn, shown = ((place / "sweep.svg").read_text() for place in (folder, root / "docs"))
     paths = [re.findall(r' d="M ([^"]*)"', picture) for picture in (drawn, shown)]

@@ -92,7 +92,7 @@ def test_everything_draws_itself(rough_map, trace):
     fitted = fstiff.identify({"surface": {"rms_height": "1 um", "rms_gradient": 0.1}, "material": {"upper": "steel"},
                               "contact": {"pressures": ["1 MPa"]}}, curve, ["sigma"], law="hybrid")  # fmt: skip
     things = [contact, contact.tabulate(1e5, 1e8), measured, fitted, fstiff.Surface(rough_map, 1e-6), fstiff.spectrum(trace, spacing=1e-6)]
-    things += [fstiff.answer(height="0.8 um", gradient=0.1, pressures=[1e6, 1e7]), fstiff.fit(trace, spacing=1e-6)]
+    things += [fstiff.answer(rms_height="0.8 um", rms_gradient=0.1, pressures=[1e6, 1e7]), fstiff.fit(trace, spacing=1e-6)]
     for thing in things:
         ax = thing.plot()
         assert ax.get_xlabel() and ax.get_ylabel() and (ax.get_lines() or ax.images)

@@ -15,7 +15,7 @@ SCENE = {
 LAW = fstiff.Contact("hybrid", rms_height=0.8e-6, rms_gradient=0.1, effective_modulus=112.6e9).tabulate(1e5, 1e8, "extrapolate")
 HALF = "\udcff"  # half a surrogate pair
 GREAT = 10**400
-MISSING = "height: is missing"
+MISSING = "rms_height: is missing"
 
 
 def contact(**changes):
@@ -23,7 +23,7 @@ def contact(**changes):
 
 
 def answer(**changes):
-    return fstiff.answer(**{"pressures": 1e6, "height": 0.8e-6, "gradient": 0.1, "samples": 0, **changes})
+    return fstiff.answer(**{"pressures": 1e6, "rms_height": 0.8e-6, "rms_gradient": 0.1, "samples": 0, **changes})
 
 
 @pytest.mark.parametrize(
@@ -32,8 +32,8 @@ def answer(**changes):
         (lambda: fstiff.spot_conductance([1e12, -1.0], 40.0, 1e11), "stiffness = -1: must be 0 or greater"),
         (lambda: fstiff.spot_conductance(1e12, -40.0, 1e11), "conductivity = -40: must be 0 or greater"),
         (lambda: fstiff.measure([GREAT] + [1] * 50, spacing=1e-6), "heights: must be real numbers"),
-        (lambda: answer(height=GREAT), "height: must be real numbers"),
-        (lambda: answer(area=GREAT), "area = 1000"),
+        (lambda: answer(rms_height=GREAT), "rms_height: must be real numbers"),
+        (lambda: answer(nominal_area=GREAT), "nominal_area = 1000"),
         (lambda: contact(rms_gradient=GREAT), "rms_gradient = 1000"),
         (lambda: LAW.stiffness([GREAT]), "pressure: must be real numbers"),
         (lambda: fstiff.run(f'name = "{HALF}"\n'), "scene: must be a text of Unicode"),
@@ -48,7 +48,7 @@ def answer(**changes):
         (lambda: LAW.stiffness(True), "pressure = True: must be a number"),
         (lambda: LAW.stiffness(np.array([True, False])), "pressure = array"),
         (lambda: LAW.stiffness([1e6, True]), "pressure = True: must be a number"),
-        (lambda: answer(height=True), "height = True: must be a number"),
+        (lambda: answer(rms_height=True), "rms_height = True: must be a number"),
         (lambda: answer(samples=True), "samples = True: must be a number"),
         (lambda: contact(hardness=True), "hardness = True: must be a number"),
         (lambda: answer(upper=""), "upper: must be the name of a material or a dict, not an empty text"),
@@ -100,24 +100,24 @@ def test_k_without_a_state_has_no_conductance():
 
 def test_a_gap_in_a_table_is_a_row_without_k():
     heights = [0.8e-6, np.nan, 1e-6]
-    found = fstiff.answer(pressures=[1e6, 1e7], height=heights, gradient=0.1, samples=0)
-    full = fstiff.answer(pressures=[1e6, 1e7], height=[0.8e-6, 1e-6], gradient=0.1, samples=0)
+    found = fstiff.answer(pressures=[1e6, 1e7], rms_height=heights, rms_gradient=0.1, samples=0)
+    full = fstiff.answer(pressures=[1e6, 1e7], rms_height=[0.8e-6, 1e-6], rms_gradient=0.1, samples=0)
     np.testing.assert_array_equal(found.stiffness[[0, 2]], full.stiffness)
     assert np.isnan(found.stiffness[1]).all() and np.isnan(found.low[1]).all() and list(found["law"][1]) == ["", ""]
     assert set(found.reasons) == {(1, 0), (1, 1)} and all(MISSING in reason for reason in found.reasons.values())
     assert found.doubtful.tolist() == [False, True, False] and found.concerns[1] == []
     np.testing.assert_array_equal(found["pressure_Pa"][1], [1e6, 1e7])
     assert MISSING in repr(found)
-    only = fstiff.answer(pressures=1e6, height=[np.nan], gradient=0.1)
+    only = fstiff.answer(pressures=1e6, rms_height=[np.nan], rms_gradient=0.1)
     assert np.isnan(only.stiffness).all() and MISSING in only.reasons[(0,)]
-    assert np.isfinite(fstiff.answer(pressures=1e6, height=1e-6, gradient=[0.1, np.nan], samples=0).stiffness).all()  # has a prior
+    assert np.isfinite(fstiff.answer(pressures=1e6, rms_height=1e-6, rms_gradient=[0.1, np.nan], samples=0).stiffness).all()  # has a prior
 
 
 def test_a_wrong_number_in_a_table_and_one_joint_without_its_height_are_refused():
-    with pytest.raises(ValueError, match="^surface 1: height = -1e-06: must be"):
-        fstiff.answer(pressures=1e6, height=[1e-6, -1e-6, np.nan], gradient=0.1)
+    with pytest.raises(ValueError, match="^surface 1: rms_height = -1e-06: must be"):
+        fstiff.answer(pressures=1e6, rms_height=[1e-6, -1e-6, np.nan], rms_gradient=0.1)
     with pytest.raises(ValueError, match=f"^{MISSING}"):
-        fstiff.answer(pressures=1e6, height=np.nan, gradient=0.1)
+        fstiff.answer(pressures=1e6, rms_height=np.nan, rms_gradient=0.1)
 
 
 def test_a_sweep_of_metres_warns_as_an_answer_does():
@@ -134,4 +134,4 @@ def test_a_report_of_one_pressure_draws_without_a_warning():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert "<svg" in fstiff.report(SCENE)
-        fstiff.answer(pressures=1e7, height=0.8e-6, gradient=0.1).plot()
+        fstiff.answer(pressures=1e7, rms_height=0.8e-6, rms_gradient=0.1).plot()

@@ -37,8 +37,6 @@ pressures = [ %s ]
 def lines(command, folder, text):
     """The lines of results of a grid."""
     (folder / "grid.toml").write_text(text)
-    for old in folder.glob("k.jsonl*"):
-        old.unlink()
     command("sweep", folder / "grid.toml", "-o", folder / "k.jsonl")
     return [json.loads(line) for line in (folder / "k.jsonl").read_text().splitlines()]
 
@@ -67,6 +65,8 @@ def test_arrays_and_texts_give_the_rows_of_the_command(command, tmp_path):
     wanted = lines(command, tmp_path, text.replace("1.995, 1.62]", "1.5, 1.62]"))
     same(fstiff.sweep(SCENE, {**axes, "surface.fractal_dimension": [1.3, 1.5, 1.62]}), wanted)
     same(fstiff.sweep(SCENE, {**axes, "surface.fractal_dimension": [1.3, 1.5, 1.62]}, threads=1), wanted)
+    part = fstiff.sweep(tmp_path / "grid.toml", {}, rows=(7, 19), threads=1)
+    same(part, [line for line in wanted if 7 <= line["index"] < 19])
     texts = {"surface.rms_height": ["0.5 um", "1 um"], "contact.pressures[0]": ["1 MPa", "1e20 MPa"]}
     wanted = lines(command, tmp_path, TEXT % ('["0.5 um", "1 um"]', 1.62, '{ values = ["1 MPa", "1e20 MPa"] }'))
     rows = fstiff.sweep(TEXT % ('"1 um"', 1.62, '"1 MPa"'), texts)
@@ -129,6 +129,11 @@ def test_a_measured_surface_takes_the_place_of_the_section(trace):
         ({"surface.rms_height": [1e-6]}, {"samples": 3}, "sweep.samples = 3: needs a distribution"),
         ({"surface.rms_height": [1e-6]}, {"mode": "all"}, 'sweep.mode = "all": must be one of "product", "zip"'),
         ({"surface.rms_height": [1e-6]}, {"threads": 0}, "threads = 0: must be 1 or greater"),
+        ({"surface.rms_height": [1e-6]}, {"rows": (0, 2)}, "rows = (0, 2): must be (FROM, TO), whole numbers with 0 <= FROM < TO <= 1, the"),
+        ({"surface.rms_height": [1e-6]}, {"rows": (1, 1)}, "rows = (1, 1): must be (FROM, TO), whole numbers with 0 <= FROM < TO <= 1, the"),
+        ({"surface.rms_height": [1e-6]}, {"rows": (-1, 1)}, "rows[0] = -1: must be 0 or greater"),
+        ({"surface.rms_height": [1e-6]}, {"rows": 5}, "rows = 5: must be (FROM, TO), two whole numbers"),
+        ({"surface.rms_height": [1e-6]}, {"rows": "0:1"}, "rows = '0:1': must be (FROM, TO), two whole numbers"),
     ],
 )
 def test_what_is_wrong_is_one_sentence(axes, options, sentence):

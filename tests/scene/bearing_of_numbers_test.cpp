@@ -162,8 +162,8 @@ TEST_CASE("Errors of a bearing curve are reported in one sentence") {
     };
     wrong("skewness = 1\n", "surface.kurtosis: is missing");
     wrong("kurtosis = 4\n", "surface.skewness: is missing");
-    wrong("skewness = 1\nkurtosis = 1.9\n", "surface.kurtosis = 1.9: must be from 2 to 100 at this skewness");
-    wrong("skewness = 0\nkurtosis = 0.99\n", "surface.kurtosis = 0.99: must be from 1 to 100 at this skewness");
+    wrong("skewness = 1\nkurtosis = 1.9\n", "surface.kurtosis = 1.9: must be from skewness^2 + 1, here 2, to 100");
+    wrong("skewness = 0\nkurtosis = 0.99\n", "surface.kurtosis = 0.99: must be from 1 to 100");
     wrong("skewness = 4\nkurtosis = 30\n", "surface.skewness = 4: must be from -3 to 3");
     wrong("skewness = \"1 um\"\nkurtosis = 4\n", "must be a plain number");
     wrong("Sk = \"2.5 um\"\n", "surface.Spk: is missing; Sk, Spk, Svk, Smr1 and Smr2 belong together");

@@ -157,7 +157,7 @@ TEST_CASE("A section ultrasound that is not whole is refused by file, line and k
     const std::string all = without + section;
     refused(test::replaced(all, "\"7 MHz\"", "7"), {"scene.toml:13", "ultrasound.frequency = 7", "7 MHz"});
     refused(test::replaced(all, "7 MHz", "0 Hz"), {"ultrasound.frequency", "greater than 0"});
-    refused(all + "film_stiffness = \"0 GPa/um\"\n", {"ultrasound.film_stiffness", "greater than 0"});
+    refused(all + "film_stiffness = \"-1 GPa/um\"\n", {"ultrasound.film_stiffness", "not negative"});
     refused(all + "film_stiffness = 1e15\n", {"ultrasound.film_stiffness", "without a unit", "0.1 GPa/um"});
     refused(test::replaced(all, "frequency = \"7 MHz\"\n", ""), {"ultrasound.frequency", "missing"});
     refused(test::replaced(all, steel, ""), {"ultrasound.upper", "missing"});

@@ -7,8 +7,6 @@
 
 #include <new>
 #include <stdexcept>
-#include <system_error>
-#include <thread>
 
 namespace engine_test {
 
@@ -31,14 +29,18 @@ struct Collected {
     unsigned threads = 0;
 };
 
-Collected collected(const Grid& grid, std::uint64_t first, std::uint64_t end, unsigned threads,
-                    const ThreadStart& start = {}) {
+/// The lines of \p rows; memory ends once at each of the scenes \p full.
+Collected collected(const Grid& grid, Rows rows, unsigned threads, std::vector<std::uint64_t> full = {}) {
     SceneMaker maker(grid);
     Collected all;
-    all.next = first;
-    all.threads = run(grid, maker, first, end, {.threads = threads, .start = start}, [&](const Block& block) {
+    all.next = rows.first;
+    all.threads = run(grid, maker, rows, {.threads = threads}, [&](const Block& block) {
         CHECK(block.first == all.next);
         CHECK(block.rows.empty());
+        if (!full.empty() && block.end > full.back()) {
+            full.pop_back();
+            throw std::bad_alloc();
+        }
         all.text += block.lines;
         all.next = block.end;
         all.failed += block.failed;
@@ -51,47 +53,30 @@ Collected collected(const Grid& grid, std::uint64_t first, std::uint64_t end, un
 TEST_CASE("Any number of threads hands over the same lines in the order of the scenes", "[threads]") {
     const Grid grid = read_grid(text, "grid.toml");
     REQUIRE(grid.size == 2 * 3 * 20 * 3 * 2);
-    const Collected one = collected(grid, 0, grid.size, 1);
+    const Collected one = collected(grid, {0, grid.size}, 1);
     CHECK(one.next == grid.size);
     CHECK(one.failed == grid.size / 3);
     for (const unsigned threads : {2U, 3U, 8U}) {
-        const Collected many = collected(grid, 0, grid.size, threads);
+        const Collected many = collected(grid, {0, grid.size}, threads);
         CHECK(many.text == one.text);
         CHECK(many.failed == one.failed);
         CHECK(many.threads == threads);
     }
     // as two parts, wherever they are parted
     for (const std::uint64_t middle : {std::uint64_t(1), std::uint64_t(7), grid.size / 2})
-        CHECK(collected(grid, 0, middle, 2).text + collected(grid, middle, grid.size, 3).text == one.text);
-    CHECK(collected(grid, 5, 5, 2).text.empty());
-}
-
-TEST_CASE("Where a thread cannot start, those that did compute everything, and of none the caller does", "[threads]") {
-    const Grid grid = read_grid(text, "grid.toml");
-    const Collected whole = collected(grid, 0, grid.size, 1);
-    for (const unsigned most : {0U, 1U, 3U}) {
-        unsigned started = 0;
-        const ThreadStart few = [&](const std::function<void()>& call) {
-            if (started == most)
-                throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
-            ++started;
-            return std::thread(call);
-        };
-        const Collected some = collected(grid, 0, grid.size, 8, few);
-        CHECK(some.threads == most);
-        CHECK(some.text == whole.text);
-        CHECK(some.next == grid.size);
-        CHECK(some.failed == whole.failed);
-    }
-    const ThreadStart no_memory = [](const std::function<void()>&) -> std::thread { throw std::bad_alloc(); };
-    CHECK(collected(grid, 0, 100, 2, no_memory).threads == 0);
+        CHECK(collected(grid, {0, middle}, 2).text + collected(grid, {middle, grid.size}, 3).text == one.text);
+    // where memory ends, fewer threads go on with the same scenes
+    const Collected fewer = collected(grid, {0, grid.size}, 8, {500, 3});
+    CHECK(fewer.text == one.text);
+    CHECK(fewer.threads == 2);
+    CHECK_THROWS_AS(collected(grid, {0, grid.size}, 2, {600, 3}), std::bad_alloc);
 }
 
 TEST_CASE("What the receiver throws ends all threads and reaches the caller", "[threads]") {
     const Grid grid = read_grid(text, "grid.toml");
     SceneMaker maker(grid);
     CHECK_THROWS_AS(
-        run(grid, maker, 0, grid.size, {.threads = 3}, [](const Block&) { throw std::runtime_error("full"); }),
+        run(grid, maker, {0, grid.size}, {.threads = 3}, [](const Block&) { throw std::runtime_error("full"); }),
         std::runtime_error);
 }
 

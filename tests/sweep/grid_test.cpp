@@ -93,7 +93,6 @@ TEST_CASE("Draws at one point of the grid are adjacent and depend on the index a
     CHECK(numbers(grid, 7)[2] == log.quantile(uniform_draw(3, 7, 1)));
     const Grid other = read_grid(grid_text(surface, contact, "samples = 5\nseed = 4"), "grid.toml");
     CHECK(numbers(other, 7)[1] != numbers(grid, 7)[1]);
-    CHECK(other.hash != grid.hash);
 }
 
 TEST_CASE("A lognormal of two quantities has this mean and this standard deviation") {
@@ -141,7 +140,7 @@ TEST_CASE("Errors of a grid are reported with line, key and value") {
     check_refused(surface("{ from = \"2 um\", to = \"1 um\", count = 3 }"),
                   "grid.toml:2: surface.rms_height.to = \"1 um\": must be greater than surface.rms_height.from");
     check_refused(surface("{ from = \"2 um\", to = \"3 um\" }"), "surface.rms_height.count: is missing");
-    check_refused(surface("{ from = \"2 um\", to = \"3 MPa\", count = 3 }"), "must be a quantity of the same kind");
+    check_refused(surface("{ from = \"2 um\", to = \"3 MPa\", count = 3 }"), "\"MPa\" is not a unit of length");
     check_refused(surface("{ from = \"2 um\", to = \"3 um\", count = 1 }"),
                   "must be a whole number from 2 to 9007199254740992");
     check_refused(surface("{ from = \"-2 um\", to = \"3 um\", count = 3, spacing = \"log\" }"),

@@ -5,7 +5,7 @@
 #include "actions/answered.hpp"
 #include "scene/readers.hpp"
 #include "support/catch.hpp"
-#include "sweep/scene_table.hpp"
+#include "sweep/template.hpp"
 
 #include <nlohmann/json.hpp>
 

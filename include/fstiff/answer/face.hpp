@@ -22,10 +22,6 @@
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-/// The greatest D that a scene may give: K of the fractal laws, which goes as 1/(2 - D), is 67 times that of hertz
-/// there.
-inline constexpr double greatest_dimension = 1.99;
-
 /// Where the range of a number comes from that is not known.
 enum class Origin {
     process,       ///< of the face, or of any

@@ -86,18 +86,33 @@ struct Body {
     /// strength, or where that is not given either, `hardness_range`, whose width is in the band.
     std::optional<double> hardness{};
     std::optional<PriorRange> hardness_range{};  ///< of a material by name; none: detail::hardness_of_elastic()
+    /// [kg/m^3], and velocities of longitudinal and shear waves [m/s], above 0; none: not known.
+    std::optional<double> density{}, velocity{}, shear_velocity{};
+    /// [W/(m K)], above 0, and [S/m], 0 of an insulator; none: not known.
+    std::optional<double> thermal_conductivity{}, electrical_conductivity{};
 };
 
 /// The body of \p material: its constants, and the range of its hardness.
 [[nodiscard]] inline Body body_of(const NamedMaterial& material) {
-    return {.elastic = material.elastic, .hardness_range = material.hardness()};
+    const auto known = [](double value) { return value > 0 ? std::optional(value) : std::nullopt; };
+    const auto [velocity, shear_velocity] = material.wave_speeds();
+    const std::optional<double> thermal = known(material.thermal_conductivity);
+    return {.elastic = material.elastic,
+            .hardness_range = material.hardness(),
+            .density = material.density,
+            .velocity = known(velocity),
+            .shear_velocity = known(shear_velocity),
+            .thermal_conductivity = thermal,  // of an insulator too, whose electrical conductivity is 0
+            .electrical_conductivity = thermal ? std::optional(material.electrical_conductivity) : std::nullopt};
 }
 
 /// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
 struct UltrasonicWaves {
-    double frequency = 0;                     ///< [Hz], above 0
-    Impedances<double> longitudinal{};        ///< the wave comes from the upper body
-    std::optional<Impedances<double>> shear;  ///< none: not known
+    double frequency = 0;  ///< [Hz], above 0
+    /// The wave comes from the upper body. Where `longitudinal` is {0, 0}, both are those of the densities and
+    /// velocities of the bodies.
+    Impedances<double> longitudinal{};
+    std::optional<Impedances<double>> shear{};  ///< none: not known
     /// [Pa/m], 0 or more, that longitudinal waves see in addition to K: of a fluid film of the bulk modulus B and the
     /// thickness h, B/h.
     double film_stiffness = 0;
@@ -107,7 +122,7 @@ struct UltrasonicWaves {
 
 /// Resistances to heat and current.
 struct Conduction {
-    /// joint_conductivity() of both bodies [W/(m K)], [S/m], above 0; none: not known.
+    /// joint_conductivity() of both bodies [W/(m K)], [S/m], above 0; none: of those that the bodies have.
     std::optional<double> thermal{}, electrical{};
     std::optional<GapFilling<double>> gap{};       ///< what lies between the faces
     double radiation = 0;                          ///< h in addition [W/(m^2 K)]

@@ -5,6 +5,7 @@
 /// prior. Functions of answer/resolve.hpp: inline, or compiled once (docs/linking-cpp.md).
 
 #include <fstiff/answer/face.hpp>
+#include <fstiff/answer/joint_fields.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/resolve.hpp>
 
@@ -25,64 +26,32 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 using Given = std::optional<double>;
 
-/// \p value of \p name, which must be above \p low and at most \p high.
-FSTIFF_INLINE void require_between(std::string_view name, const Given& value, double low,
-                                   double high = (std::numeric_limits<double>::max)()) {
-    if (value && !(*value > low && *value <= high))
-        detail::refuse(
-            name, *value,
-            high == (std::numeric_limits<double>::max)()
-                ? "finite and greater than " + detail::rounded_text(low, 6)
-                : "greater than " + detail::rounded_text(low, 6) + " and at most " + detail::rounded_text(high, 6));
-}
-
-/// Those that no other number can be in place of: all but the rms height.
-inline constexpr auto given_parameters = std::span(face_parameters).subspan<1>();
-
-/// \throws domain_error where more than one of the numbers called \p names is given.
-FSTIFF_INLINE void require_one(const JointFace& spec,
-                               std::span<const std::pair<const char*, Given JointFace::*>> names) {
-    const char* first = nullptr;
-    for (const auto& [name, value] : names)
-        if ((spec.*value).has_value()) {
-            if (first)
-                throw domain_error(
-                    Refusal{.parameter = name, .reason = std::string("must not be given with ") + first});
-            first = name;
-        }
-}
-
+/// \throws domain_error where one is out of range, or two are the same number in several ways.
 FSTIFF_INLINE void require_numbers(const JointFace& spec) {
-    using Named = std::pair<const char*, Given JointFace::*>;
-    constexpr Named heights[]{{"rms_height", &JointFace::rms_height}, {"mean_height", &JointFace::mean_height}};
-    constexpr Named gradients[]{{"rms_gradient", &JointFace::rms_gradient},
-                                {"profile_gradient", &JointFace::profile_gradient},
-                                {"profile_spacing", &JointFace::profile_spacing}};
-    constexpr Named lengths[]{{"max_peak_height", &JointFace::max_peak_height},
-                              {"fractal_roughness", &JointFace::fractal_roughness}};
-    require_one(spec, heights), require_one(spec, gradients);
-    for (const std::span<const Named> group : {std::span<const Named>(heights), {gradients}, {lengths}})
-        for (const auto& [name, value] : group) require_between(name, spec.*value, 0);
-    require_between("alpha", spec.alpha, 1.5);
-    require_between("hurst", spec.hurst, 0, 1);
-    require_between("fractal_dimension", spec.fractal_dimension, 1, greatest_dimension);
-    for (const auto& [parameter, value, error] : given_parameters) {
-        const ParameterRow& row = detail::row_of(parameter);
-        if (spec.*value && !detail::parameter_in_range(parameter, *(spec.*value)))
-            detail::refuse(row.key, *(spec.*value), row.range());
-    }
+    using Errors = JointFace::Errors;
+    std::string_view height, gradient;
+    each_field(spec, [&](std::string_view name, const Given& value, const NumberFacts& facts) {
+        if (!value) return;
+        for (const auto& [error, first] : {std::pair(&Errors::height, &height), {&Errors::gradient, &gradient}}) {
+            if (facts.error != error) continue;
+            if (!first->empty())
+                throw domain_error(
+                    Refusal{.parameter = name, .reason = "must not be given with " + std::string(*first)});
+            *first = name;
+        }
+        facts.require(name, *value);
+    });
     if (!spec.measured && !spec.rms_height && !spec.mean_height)
         throw domain_error(Refusal{.parameter = "rms_height",
                                    .reason = "is missing; a face needs it, mean_height or a measured surface"});
     if (spec.skewness.has_value() != spec.kurtosis.has_value())
-        throw domain_error(
-            Refusal{.parameter = "skewness", .reason = "must be given with kurtosis, and kurtosis with it"});
+        throw domain_error(Refusal{.parameter = spec.skewness ? "kurtosis" : "skewness",
+                                   .reason = "is missing; skewness and kurtosis belong together"});
     if (spec.skewness && spec.bearing)
         throw domain_error(Refusal{.parameter = "bearing", .reason = "must not be given with skewness"});
     if (!spec.skewness) return;
     const double least = *spec.skewness * *spec.skewness + 1;  // of any distribution
-    require(std::abs(*spec.skewness) <= most_skewness<double>, "skewness", *spec.skewness, "from -3 to 3");
-    require(*spec.kurtosis >= least && *spec.kurtosis <= most_kurtosis<double>, "kurtosis", *spec.kurtosis,
+    require(*spec.kurtosis >= least, "kurtosis", *spec.kurtosis,
             "from skewness^2 + 1, here " + rounded_text(least, 3) + ", to 100");
 }
 
@@ -97,9 +66,11 @@ FSTIFF_INLINE void require_errors(const JointFace& spec, const Face& face) {
     check("the height", spec.errors.height, true);
     check("the gradient", spec.errors.gradient,
           spec.rms_gradient || spec.profile_gradient || spec.profile_spacing || (spec.measured && face.rms_gradient));
-    for (const auto& [parameter, value, error] : given_parameters)
-        check(detail::row_of(parameter).key, spec.errors.*error,
-              (spec.*value).has_value() || (spec.measured && face.parameters.find(parameter)));
+    each_field(spec, [&](std::string_view name, const Given& value, const NumberFacts& facts) {
+        if (facts.row)
+            check(name, spec.errors.*facts.error,
+                  value.has_value() || (spec.measured && face.parameters.find(facts.row->parameter)));
+    });
 }
 
 /// A gradient of the range \p range, which is from \p origin.
@@ -141,8 +112,10 @@ FSTIFF_INLINE void take_height_and_gradient(const JointFace& spec, Face& face) {
 /// The errors of \p spec in place of those of \p face.
 FSTIFF_INLINE void take_errors(const JointFace& spec, Face& face) {
     require_errors(spec, face);
-    for (const auto& [parameter, value, error] : given_parameters)
-        if (spec.errors.*error) face.parameters.find(parameter)->error = *(spec.errors.*error);
+    each_field(spec, [&](std::string_view, const Given&, const NumberFacts& facts) {
+        if (facts.row && spec.errors.*facts.error)
+            face.parameters.find(facts.row->parameter)->error = *(spec.errors.*facts.error);
+    });
     Measurement<double>& height = face.parameters.rms_height;
     if (spec.errors.height)
         height.error = *spec.errors.height * (height.value / spec.mean_height.value_or(height.value));
@@ -194,8 +167,9 @@ FSTIFF_INLINE Face face_of(const JointFace& spec) {
     if (const std::string_view number = instead_of_map(spec); face.map && !number.empty())
         face.write([&](Face& f) { f.spectrum_of_map = false, f.instead_of_map = number; });
     if (spec.fractal_dimension) face.write([](Face& f) { f.parameters.dimension_window_error = 0; });
-    for (const auto& [parameter, value, error] : given_parameters)
-        if (spec.*value) face.write(parameter, *(spec.*value));
+    each_field(spec, [&](std::string_view, const Given& value, const NumberFacts& facts) {
+        if (facts.row && value) face.write(facts.row->parameter, *value);
+    });
     face.radius_follows = !spec.measured && !spec.peak_radius;
     face.density_follows = !spec.measured && !spec.peak_density;
     take_errors(spec, face);
@@ -227,25 +201,26 @@ FSTIFF_INLINE void take_peaks(ResolvedJoint& problem) {
     problem.default_peaks = true;
 }
 
+/// Requires every number of \p owner to be in its range.
+template <class Owner>
+void require_fields(const Owner& owner) {
+    each_field(owner,
+               [](std::string_view name, const auto& value, const NumberFacts& facts) { facts.require(name, value); });
+}
+
 FSTIFF_INLINE void require_surroundings(const Joint& joint) {
     if (joint.waves) {
-        require_between("frequency", joint.waves->frequency, 0);
-        require(joint.waves->film_stiffness >= 0 && std::isfinite(joint.waves->film_stiffness), "film_stiffness",
-                joint.waves->film_stiffness, "finite and not negative");
+        require_fields(*joint.waves);
         for (const auto& media : {std::optional(joint.waves->longitudinal), joint.waves->shear})
             if (media)
-                for (const double f : {media->incident, media->beyond}) require_between("impedance", f, 0);
+                for (const double f : {media->incident, media->beyond})
+                    require(f >= 0 && std::isfinite(f), "impedance", f, "finite and greater than 0");
     }
-    require_between("thermal", joint.conduction.thermal, 0);
-    require_between("electrical", joint.conduction.electrical, 0);
+    require_fields(joint.conduction);
     if (const auto& gap = joint.conduction.gap)
         for (const double f : {gap->conductivity, gap->temperature_jump})
             require(f >= 0 && std::isfinite(f), "gap", f, "finite and not negative");
-    for (const double f : {joint.conduction.radiation, joint.conduction.thermal_film, joint.conduction.electrical_film})
-        require(f >= 0 && std::isfinite(f), "conduction", f, "finite and not negative");
-    if (!joint.friction) return;
-    require_between("coefficient", joint.friction->coefficient, 0, 10);
-    require_between("amplitude", joint.friction->amplitude, 0);
+    if (joint.friction) require_fields(*joint.friction);
 }
 
 /// Returns \p call(); its errors name the parameter as a member of \p part.
@@ -258,27 +233,55 @@ auto of_part(const std::string& part, const Call& call) {
     }
 }
 
-/// \throws domain_error naming the member of \p body, whose modulus counts where \p elastic.
+/// \throws domain_error naming the member of \p body; where not \p elastic, its modulus does not count, and Poisson's
+/// ratio may be NaN: not known.
 FSTIFF_INLINE void require_body(const Body& body, bool elastic) {
-    const double nu = body.elastic.poisson_ratio;
-    if (elastic)
-        (void)effective_modulus(body.elastic, body.elastic);
-    else
-        require(!(nu <= -1 || nu > 0.5), "poisson_ratio", nu, "greater than -1 and at most 0.5");
-    require_between("yield_strength", body.yield_strength, 0);
-    if (!body.hardness || *body.hardness != std::numeric_limits<double>::infinity())
-        require_between("hardness", body.hardness, 0);
+    if (elastic) (void)effective_modulus(body.elastic, body.elastic);
+    each_field(body, [&](std::string_view name, const auto& value, const NumberFacts& facts) {
+        if (!elastic && name == "youngs_modulus") return;
+        if (!elastic && name == "poisson_ratio" && std::isnan(body.elastic.poisson_ratio)) return;
+        facts.require(name, value);
+    });
     if (const auto& range = body.hardness_range)
         require(range->low > 0 && range->low <= range->middle && range->middle <= range->high, "hardness_range",
                 range->middle, "between its ends, which are above 0");
 }
 
+FSTIFF_INLINE void take_conductivities(const Body& upper, const Body& lower, Conduction& conduction) {
+    const auto take = [](const Given& a, const Given& b, Given& of_both) {
+        if (!of_both && a && b) of_both = joint_conductivity(*a, *b);
+    };
+    take(upper.thermal_conductivity, lower.thermal_conductivity, conduction.thermal);
+    take(upper.electrical_conductivity, lower.electrical_conductivity, conduction.electrical);
+}
+
+/// The waves of \p joint, with the impedances of the bodies where none are given.
+FSTIFF_INLINE UltrasonicWaves waves_of(const Joint& joint) {
+    UltrasonicWaves waves = *joint.waves;
+    const auto of_bodies = [&](Given Body::*velocity) -> std::optional<Impedances<double>> {
+        const auto &upper = joint.upper, &lower = joint.lower;
+        if (!upper.density || !lower.density || !(upper.*velocity) || !(lower.*velocity)) return std::nullopt;
+        return Impedances<double>{acoustic_impedance(*upper.density, *(upper.*velocity)),
+                                  acoustic_impedance(*lower.density, *(lower.*velocity))};
+    };
+    auto& [incident, beyond] = waves.longitudinal;
+    if (incident == 0 && beyond == 0) {
+        const auto own = of_bodies(&Body::velocity);
+        if (!own)
+            throw domain_error(Refusal{.parameter = "waves.longitudinal",
+                                       .reason = "is missing; give it, or density and velocity of both bodies"});
+        waves.longitudinal = *own;
+        if (!waves.shear) waves.shear = of_bodies(&Body::shear_velocity);
+    }
+    for (const double z : {incident, beyond}) require_positive("impedance", z);
+    return waves;
+}
+
 FSTIFF_INLINE ResolvedJoint problem_of(const Joint& joint, const LawOptions& options) {
     of_part("upper", [&] { require_body(joint.upper, !joint.effective_modulus); });
     of_part("lower", [&] { require_body(joint.lower, !joint.effective_modulus); });
-    require_between("nominal_area", joint.nominal_area, 0);
-    require_between("effective_modulus", joint.effective_modulus, 0);
-    require_between("gamma", options.gamma, 0, 1);
+    require_fields(joint);
+    require(options.gamma > 0 && options.gamma <= 1, "gamma", options.gamma, "greater than 0 and at most 1");
     require(options.points >= 16 && options.points <= 4096, "grid", options.points, "from 16 to 4096");
     require(joint.shifts >= 1 && joint.shifts <= 1000, "shifts", joint.shifts, "from 1 to 1000");
     joint.interaction.validate();
@@ -295,8 +298,9 @@ FSTIFF_INLINE ResolvedJoint problem_of(const Joint& joint, const LawOptions& opt
     problem.reading = joint.interaction.reading;
     problem.length = InteractionLength::given;
     problem.given_length = joint.interaction.length;
-    problem.ultrasound = joint.waves;
+    if (joint.waves) problem.ultrasound = waves_of(joint);
     problem.conduction = joint.conduction;
+    take_conductivities(joint.upper, joint.lower, problem.conduction);
     problem.friction = joint.friction;
     take_peaks(problem);
     return problem;

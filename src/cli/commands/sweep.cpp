@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fstiff sweep: a grid of scenes to one line a row of results.
 #include "commands/commands.hpp"
-#include "document/output.hpp"
+#include "document/own_output.hpp"
 #include "input/progress.hpp"
 #include "sweep/engine.hpp"
-#include "sweep/results_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <thread>
 
 namespace fstiff::cli {
@@ -26,27 +24,35 @@ std::string counted(std::uint64_t count, const std::string& what) {
 }
 
 struct Options {
-    OutputOptions output;  // of the summary
-    std::string grid, results, shard = "1/1";
+    OutputOptions summary, results;
+    std::string grid, rows;
     int threads = 0;  ///< 0: as many as there are cores
-    bool example = false;
+    bool counts = false, example = false;
 };
 
-/// {shard} in the name of the results is the number of the shard, with zeros before it, so that names are in the order
-/// of the shards.
-std::string results_file(std::string file, const sweep::Shard& shard) {
-    const std::string place = "{shard}", number = std::to_string(shard.number);
-    const std::string padded = std::string(std::to_string(shard.of).size() - number.size(), '0') + number;
-    for (std::size_t begin = file.find(place); begin != std::string::npos; begin = file.find(place))
-        file.replace(begin, place.size(), padded);
-    return file;
+/// "1000:2000"; empty are all of \p grid.
+sweep::Rows rows_of(const std::string& text, const sweep::Grid& grid) {
+    sweep::Rows rows{0, grid.size};
+    if (text.empty()) return rows;
+    const char* const end = text.data() + text.size();
+    const auto from = std::from_chars(text.data(), end, rows.first);
+    const bool parted = from.ec == std::errc() && from.ptr != end && *from.ptr == ':';
+    const auto to = std::from_chars(parted ? from.ptr + 1 : end, end, rows.end);
+    if (to.ec != std::errc() || to.ptr != end) rows.end = 0;
+    grid.require(rows, "--rows = \"" + text + "\": must be FROM:TO");
+    return rows;
 }
 
-std::string summary(const sweep::Grid& grid, const sweep::Description& description, const std::string& file) {
+/// \throws Usage for the ending of a table or of another binary form.
+void require_lines(const std::string& results) {
+    for (const char* other : {".parquet", ".h5", ".hdf5", ".csv", ".tsv", ".txt", ".nc", ".npy", ".xlsx"})
+        if (results.ends_with(other))
+            throw Usage(results + ": results are lines of JSON, file.jsonl; pandas and pyarrow read them");
+}
+
+std::string summary(const sweep::Grid& grid, const std::string& rows, const std::string& file) {
     std::string text = "fstiff sweep: " + document::printable(grid.file) + ", " + counted(grid.size, "scene");
-    if (description.shard.of > 1)
-        text += ", of which shard " + description.shard.text() + " has " +
-                std::to_string(description.shard.end(grid.size) - description.shard.first(grid.size));
+    if (!rows.empty()) text += ", of which " + rows + " are computed";
     text += "; results in " + document::printable(file) + "\n";
     for (const sweep::Axis& axis : grid.axes) {
         text += "  " + axis.key;
@@ -74,50 +80,48 @@ std::string summary(const sweep::Grid& grid, const sweep::Description& descripti
 }
 
 Report execute(const Options& options) {
+    const std::string file = options.results.target();
     if (options.example) {
-        if (!options.grid.empty() || !options.results.empty())
+        if (!options.grid.empty() || !file.empty())
             throw Usage("--example prints a grid and computes nothing; give no grid and no -o with it");
         return {example_grid, {}, success};
     }
-    if (options.grid.empty() || options.results.empty())
-        throw Usage("a grid and -o FILE are needed; see fstiff sweep --help");
-    refuse_standard_output(options.results, "a file, so that an interrupted run can continue");
-    const sweep::Shard shard = sweep::parse_shard(options.shard);
-    const std::string file = results_file(options.results, shard);
-    sweep::require_lines(file);
-    require_writable(file);
-    keep_for_output(file);
+    if (options.grid.empty()) throw Usage("a grid is needed; see fstiff sweep --help");
+    if (options.counts && (!file.empty() || !options.rows.empty()))
+        throw Usage("--count prints a number and computes nothing; give no -o and no --rows with it");
+    if (!file.empty()) {
+        require_lines(file);
+        require_writable(file);
+        keep_for_output(file);
+        if (!options.results.force) require_own(file);
+    }
     const sweep::Grid grid = sweep::read_grid(document::read_all(options.grid, document::longest_scene),
                                               document::display_name(options.grid));
+    if (options.counts) return {std::to_string(grid.size) + "\n", {}, success};
     for (const std::string& named : grid.files) require_no_output(named);
-    std::optional<sweep::SceneMaker> maker;  // before anything is written: it refuses wrong values
-    if (!std::filesystem::exists(document::path_of(sweep::description_file(file)))) maker.emplace(grid);
-    sweep::ResultsFile results(file, {.grid = grid.file, .hash = grid.hash, .scenes = grid.size, .shard = shard});
+    const sweep::Rows rows = rows_of(options.rows, grid);
+    sweep::SceneMaker maker(grid);  // before anything is written: it refuses wrong values
+    OutputFiles results(file.empty() ? std::vector<std::string>() : std::vector{file});
     Report report;
-    if (results.dropped() > 0)
-        report.diagnostics.push_back("the run before was interrupted: " + std::to_string(results.dropped()) +
-                                     " bytes at the end of " + file + " are computed again");
-    const std::uint64_t first = results.next(), end = shard.end(grid.size);
+    std::uint64_t failed = 0;
     const auto begun = std::chrono::steady_clock::now();
-    if (!results.description().finished) {
-        if (!maker) maker.emplace(grid);
-        const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-        const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
-        const unsigned started =
-            sweep::run(grid, *maker, first, end, {.threads = wanted, .progress = progress_bar(true)},
-                       [&](const sweep::Block& block) { results.append(block.lines, block.end, block.failed); });
-        results.finish();
-        if (started < wanted)
-            report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
-                                         " ran; the system has no room for more");
-    }
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const unsigned wanted = options.threads > 0 ? static_cast<unsigned>(options.threads) : cores;
+    const unsigned started = sweep::run(grid, maker, rows, {.threads = wanted, .progress = progress_bar(true)},
+                                        [&](const sweep::Block& block) {
+                                            file.empty() ? deliver(block.lines, "") : results.write(0, block.lines);
+                                            failed += block.failed;
+                                        });
+    results.finish();
+    if (started < wanted)
+        report.diagnostics.push_back(std::to_string(started) + " of " + counted(wanted, "thread") +
+                                     " ran; the system has no room for more");
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-    report.diagnostics.push_back(
-        first == end ? "nothing is left to compute"
-                     : counted(end - first, "scene") + " in " + document::rounded(seconds, 3) + " s, " +
-                           document::rounded(static_cast<double>(end - first) / seconds, 3) + " per second");
-    report.document = summary(grid, results.description(), file);
-    if (const std::uint64_t failed = results.description().failed; failed > 0) {
+    report.diagnostics.push_back(counted(rows.end - rows.first, "scene") + " in " + document::rounded(seconds, 3) +
+                                 " s, " + document::rounded(static_cast<double>(rows.end - rows.first) / seconds, 3) +
+                                 " per second");
+    if (!file.empty()) report.document = summary(grid, options.rows, file);
+    if (failed > 0) {
         report.diagnostics.push_back(
             "warning: " + counted(failed, "scene") +
             " cannot be computed, or only in part; a line with the key \"error\" replaces the missing results");
@@ -133,17 +137,15 @@ Command add_sweep(Arguments& command) {
     using namespace sweep_command;
     auto options = std::make_shared<Options>();
     command.option("grid", options->grid, {"scene file (TOML) with swept quantities; - is standard input"});
-    command.option(
-        "-o,--output", options->results,
-        {.help = "file of results, one JSON object a line; {shard} in its name is the number of the shard, and "
-                 "cat joins the files of all shards. An interrupted run continues with the same arguments",
-         .type = "FILE"});
+    add_output_option(command, options->results);
     command.option("--threads", options->threads,
                    {.help = "threads that compute; the default is one for each core", .low = 1, .high = 4096});
-    command.option("--shard", options->shard,
-                   {"part i/n of the grid, i from 1 to n, or auto: that of the Slurm job array, or of mpirun"});
+    command.option(
+        "--rows", options->rows,
+        {.help = "scenes whose index, from 0 on, is at least FROM and less than TO; default all", .type = "FROM:TO"});
+    command.option("--count", options->counts, {"print the number of scenes and compute none"});
     command.option("--example", options->example, {"print a grid with comments, to begin one of your own"});
-    return {&options->output, [options] { return execute(*options); }};
+    return {&options->summary, [options] { return execute(*options); }};
 }
 
 }  // namespace fstiff::cli

@@ -16,6 +16,7 @@
 #include <iostream>
 #include <random>
 #include <system_error>
+#include <utility>
 
 namespace fstiff::cli {
 namespace {
@@ -31,17 +32,9 @@ namespace os = document::os;
 }
 
 /// Whether \p text is in \p stream whole; if not, errno has the reason.
-bool written(const std::string& text, std::FILE* stream) {
+bool written(std::string_view text, std::FILE* stream) {
     errno = 0;
     return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
-}
-
-void write_bytes(const fs::path& path, const std::string& text, const std::string& shown) {
-    std::FILE* const stream = os::open_stream(path);
-    if (!stream) cannot_write(shown, errno);
-    int reason = written(text, stream) ? 0 : errno;
-    if (std::fclose(stream) != 0 && reason == 0) reason = errno;
-    if (reason != 0) cannot_write(shown, reason);
 }
 
 /// Files that are being written, for the signal handler, which reads them while `has_partials` is 1.
@@ -54,25 +47,6 @@ extern "C" void remove_partials_and_end(int signal) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
-
-/// Files that are not complete yet: removed when this ends before keep(), by an exception or by Ctrl-C and the like.
-class Partials {
-public:
-    explicit Partials(std::vector<fs::path> files) {
-        partial_files = std::move(files);
-        has_partials = 1;
-        for (const int signal : os::ending_signals())  // what the caller ignores (nohup) stays ignored
-            if (std::signal(signal, remove_partials_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
-    }
-    Partials(const Partials&) = delete;
-    Partials& operator=(const Partials&) = delete;
-    ~Partials() {
-        if (has_partials)
-            for (const fs::path& file : partial_files) os::remove_file(file.c_str());
-        has_partials = 0;
-    }
-    void keep() { has_partials = 0; }
-};
 
 /// Files that are going to be written, and what may be read.
 struct NamedFiles {
@@ -100,10 +74,6 @@ document::Format OutputOptions::chosen() const {
 }
 
 std::string OutputOptions::target() const { return file == "-" ? std::string() : file; }
-
-void refuse_standard_output(const std::string& output, std::string_view wanted) {
-    if (output == "-") throw Usage("--output = \"-\": is standard output; must be " + std::string(wanted));
-}
 
 Report report(const document::Document& document, document::Format format) {
     Report report{
@@ -156,31 +126,71 @@ void deliver(const std::string& document, const std::string& file) {
                            (errno != 0 ? ": " + std::generic_category().message(errno) : std::string()));
 }
 
-void deliver(const std::vector<OutputFile>& files) {
+struct OutputFiles::Open {
+    std::string name;
+    fs::path target, partial;  ///< partial is empty where the target is written as it is
+    std::FILE* stream = nullptr;
+
+    void close() {
+        if (stream && std::fclose(std::exchange(stream, nullptr)) != 0) cannot_write(name, errno);
+    }
+};
+
+OutputFiles::OutputFiles() = default;
+
+OutputFiles::OutputFiles(const std::vector<std::string>& names) : OutputFiles() {  // so that what throws here is undone
     std::error_code error;
-    std::vector<fs::path> targets, partials;
-    for (const OutputFile& file : files) {
-        targets.push_back(document::output_target(file.name));
-        const bool replaces = fs::exists(targets.back(), error);
-        if (replaces && !fs::is_regular_file(targets.back(), error) && !fs::is_directory(targets.back(), error))
-            partials.emplace_back();  // /dev/stdout, a pipe: written as it is
-        else
-            partials.emplace_back(targets.back()) += ".partial-" + std::to_string(std::random_device{}());
+    for (const std::string& name : names) {
+        Open& file = files_.emplace_back(Open{.name = name, .target = document::output_target(name), .partial = {}});
+        if (fs::is_directory(file.target, error)) throw file_error(name, "is a folder; the output must be a file");
+        if (!fs::exists(file.target, error) || fs::is_regular_file(file.target, error))
+            (file.partial = file.target) += ".partial-" + std::to_string(std::random_device{}());
     }
-    Partials until_renamed(partials);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (fs::is_directory(targets[i], error))
-            throw file_error(files[i].name, "is a folder; the output must be a file");
-        write_bytes(partials[i].empty() ? targets[i] : partials[i], files[i].text, files[i].name);
-        if (const auto old = fs::status(targets[i], error); !partials[i].empty() && fs::exists(old))
-            fs::permissions(partials[i], old.permissions(), error);
+    partial_files.clear();
+    for (const Open& file : files_) partial_files.push_back(file.partial);
+    has_partials = 1;
+    for (const int signal : os::ending_signals())  // what the caller ignores (nohup) stays ignored
+        if (std::signal(signal, remove_partials_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
+    for (Open& file : files_) {
+        file.stream = os::open_stream(file.partial.empty() ? file.target : file.partial);
+        if (!file.stream) cannot_write(file.name, errno);
     }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (partials[i].empty()) continue;
-        fs::rename(partials[i], targets[i], error);
-        if (error) cannot_write(files[i].name, error.default_error_condition().value());
+}
+
+OutputFiles::~OutputFiles() {
+    for (Open& file : files_)
+        if (file.stream) std::fclose(file.stream);
+    if (has_partials)
+        for (const fs::path& file : partial_files) os::remove_file(file.c_str());
+    has_partials = 0;
+}
+
+void OutputFiles::write(std::size_t number, std::string_view text) {
+    if (!written(text, files_[number].stream)) cannot_write(files_[number].name, errno);
+}
+
+void OutputFiles::finish() {
+    std::error_code error;
+    for (Open& file : files_) {
+        if (!file.partial.empty() && !os::sync(file.stream)) cannot_write(file.name, errno);
+        file.close();
+        if (const auto old = fs::status(file.target, error); !file.partial.empty() && fs::exists(old))
+            fs::permissions(file.partial, old.permissions(), error);
     }
-    until_renamed.keep();
+    for (const Open& file : files_) {
+        if (file.partial.empty()) continue;
+        fs::rename(file.partial, file.target, error);
+        if (error) cannot_write(file.name, error.default_error_condition().value());
+    }
+    has_partials = 0;
+}
+
+void deliver(const std::vector<OutputFile>& files) {
+    std::vector<std::string> names;
+    for (const OutputFile& file : files) names.push_back(file.name);
+    OutputFiles outputs(names);
+    for (std::size_t i = 0; i < files.size(); ++i) outputs.write(i, files[i].text);
+    outputs.finish();
 }
 
 }  // namespace fstiff::cli

@@ -33,9 +33,6 @@ struct OutputOptions {
     [[nodiscard]] document::Format chosen() const;
 };
 
-/// \throws Usage where \p output is "-" and cannot be: it must be \p wanted.
-void refuse_standard_output(const std::string& output, std::string_view wanted);
-
 /// The one document of a subcommand, its diagnostics (on standard error), and how it ended.
 struct Report {
     std::string document;
@@ -53,11 +50,29 @@ struct OutputFile {
     std::string name, text;
 };
 
+/// Files that are written next to their targets, and take their names when all are complete. Until then, and where this
+/// ends before, by an exception or Ctrl-C, what was there remains. A pipe or a device is written as it is.
+class OutputFiles {
+public:
+    /// \throws file_error, as all functions here, naming the file that cannot be written and the reason of the system.
+    explicit OutputFiles(const std::vector<std::string>& names);
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+    ~OutputFiles();
+    /// Appends \p text to the file of that \p number.
+    void write(std::size_t number, std::string_view text);
+    void finish();
+
+private:
+    OutputFiles();
+    struct Open;
+    std::vector<Open> files_;
+};
+
 /// Writes \p document to \p file, or to standard output when \p file is empty.
 /// \throws file_error as below, domain_error for standard output, with the reason that the system gives.
 void deliver(const std::string& document, const std::string& file);
-/// Writes all of \p files or none: next to their targets first, then renamed.
-/// \throws file_error naming the file that cannot be written, and the reason that the system gives.
+/// Writes all of \p files or none. \throws file_error as OutputFiles.
 void deliver(const std::vector<OutputFile>& files);
 
 /// Inputs that the command line names: files, as far as they exist.

@@ -75,6 +75,13 @@ bool is_table(std::string_view bytes) {
            has_exact_numbers(take_line(bytes));
 }
 
+/// Whether \p line is one of the results of a sweep.
+bool is_row(std::string_view line) {
+    const auto has = [&](std::string_view key) { return line.find(key) != line.npos; };
+    return line.starts_with("{\"index\":") && line.ends_with('}') &&
+           ((has(",\"law\":\"") && has("\",\"theta\":") && has(",\"r\":")) || has(",\"error\":\""));
+}
+
 }  // namespace
 
 bool is_own_output(std::string_view bytes) {
@@ -88,7 +95,7 @@ bool is_own_output(std::string_view bytes) {
                               "aISO-1.0\r\nManufacID = fstiff\r\n", "bISO-1.0fstiff    ", "bISO-2.0fstiff    "})
         if (bytes.starts_with(begin)) return true;
     const bool is_json = bytes.starts_with('{') && bytes.substr(0, 200).find("\"fstiff_version\":") != bytes.npos;
-    return is_json || is_table(bytes);
+    return is_json || is_row(line) || is_table(bytes);
 }
 
 void require_own(const std::string& file, bool of_picture) {
