@@ -17,8 +17,8 @@ namespace {
 
 const JointFace no_face{};  // of which names and facts are read
 
-/// The keys of each number, in the order of each_field(): its own, and those of the numbers that are the same in another
-/// way.
+/// The keys of each number, in the order of each_field(): its own, and those of the numbers that are the same in
+/// another way.
 std::vector<std::vector<std::string_view>> all_ways() {
     std::vector<std::vector<std::string_view>> all;
     each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {

@@ -59,7 +59,7 @@ std::string scene_with(std::map<std::string, std::string> keys) {
     return text + "[contact]\npressures = [\"10 MPa\"]\n";
 }
 
-/// \p page has a row of \p key, whose first cell names it, whose second cell has its kind, and whose third has its range.
+/// \p page has a row of \p key, whose first cell names it, whose second has its kind, and whose third has its range.
 void check_row(const std::string& page, const std::string& section, const std::string& key, const NumberFacts& facts) {
     std::string row;
     std::istringstream lines(page);
