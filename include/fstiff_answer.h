@@ -93,9 +93,9 @@ typedef struct fstiff_joint {
     double seating;            /**< the approach of an answer is 0 at this pressure [Pa]; 0: 1 kPa */
     int samples;               /**< surfaces drawn for the band of an answer, from 20 to 100000; 0: 400; -1: none */
     unsigned int seed;         /**< of them; 0: 2014 */
-    /** Any numbers of a joint by their names in C++, in place of those above: "face.alpha", "face.Ra" and "other.alpha";
-     * "upper.density", "lower.thermal_conductivity" ...; "nominal_area"; "waves.frequency"; "friction.coefficient";
-     * "conduction.thermal_film". A NaN is not given. */
+    /** Any numbers of a joint by their names in C++, in place of those above: "face.alpha", "face.Ra" and
+     * "other.alpha"; "upper.density", "lower.thermal_conductivity" ...; "nominal_area"; "waves.frequency";
+     * "friction.coefficient"; "conduction.thermal_film". A NaN is not given. */
     size_t number_count;
     const char* const* names;
     const double* numbers;
