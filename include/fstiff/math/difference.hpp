@@ -10,6 +10,8 @@
 /// Valid       f of a number, or of an array of Eigen; h > 0
 /// Accuracy    h^4/30 of the fifth derivative, and 2/h of the error of f (tests/identify/fit_problem_test.cpp)
 
+#include <fstiff/core/config.hpp>
+
 #include <type_traits>
 
 namespace fstiff { inline namespace v0_1 { namespace math {
