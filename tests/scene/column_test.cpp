@@ -47,12 +47,10 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
         {"spot_pressure", "spot_pressure_Pa", "spot_pressure_p05_Pa", "Pa", "p of the spots [MPa]"},
         {"contacts", "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
     REQUIRE(answer_quantities().size() == all.size());
-    const actions::Units units{{"Pa", fstiff::document::unit_of_pressure(3e6)},
-                               {"m", fstiff::document::unit_of_length(1e-6)},
-                               {"1/m^2", fstiff::document::unit_of_density(5e8)},
-                               {"Pa/m", fstiff::document::shown_unit(5e14, "Pa/m")},
-                               {"N", fstiff::document::shown_unit(2e4, "N")},
-                               {"N/m", fstiff::document::shown_unit(5e10, "N/m")}};
+    const actions::Units units{
+        {"Pa", fstiff::document::unit_of_pressure(3e6)},   {"m", fstiff::document::unit_of_length(1e-6)},
+        {"1/m^2", fstiff::document::unit_of_density(5e8)}, {"Pa/m", fstiff::document::shown_unit(5e14, "Pa/m")},
+        {"N", fstiff::document::shown_unit(2e4, "N")},     {"N/m", fstiff::document::shown_unit(5e10, "N/m")}};
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Expected& one = all[i];
         INFO(one.key);
