@@ -89,7 +89,8 @@ def density_of_heights(zeta: Numbers, r: float, theta: float) -> Numbers:
     t, c = 6 * (nodes + 1), math.sqrt(1 - r * r)
     erf = np.array([math.erf(one * math.tan(theta) / math.sqrt(2)) for one in t])
     z = (zeta[:, None] - r * t) / c
-    return np.exp(-(z**2 + t**2) / 2) @ (6 * weights * erf) / (2 * theta * c)
+    density: Numbers = np.exp(-(z**2 + t**2) / 2) @ (6 * weights * erf) / (2 * theta * c)
+    return density
 
 
 def figure_2() -> Picture:

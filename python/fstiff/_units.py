@@ -24,7 +24,7 @@ UNITS = {
 
 def si_unit(name: str) -> str:
     """The SI unit of an argument, "" of a pure number."""
-    return UNITS.get(name.rpartition(".")[2].rstrip("2"), "")
+    return str(UNITS.get(name.rpartition(".")[2].rstrip("2"), ""))
 
 
 def units_of(value: Any) -> Any:

@@ -23,8 +23,8 @@ import sys
 import sysconfig
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-NANOBIND = "nanobind>=2.4"
-NEEDED = [NANOBIND, "numpy", "pytest"]
+NANOBIND = ["nanobind>=2.4", "typing_extensions"]  # the latter for the stubs of Python 3.10
+NEEDED = [*NANOBIND, "numpy", "pytest"]
 WANTED = ["pandas", "ruff", "clang-format==14.0.6"]  # the last two for tests/check
 MORE = ["xarray", "pint", "astropy", "matplotlib", "mypy", "py-rattler-build"]  # the last for tests/packaging
 # needed, wanted: what takes half of the time to install, and serves few tests; distributed and pyarrow for examples/sweeps
@@ -136,8 +136,8 @@ def main():
     work = options.work.resolve()
     venv, prefix = work / "venv", work / "prefix"
     if options.step == "nanobind":
-        if why := pip_install(make_venv(venv), [NANOBIND]):
-            skip(f"pip cannot install {NANOBIND}: {why}")
+        if why := pip_install(make_venv(venv), NANOBIND):
+            skip(f"pip cannot install {NANOBIND[0]}: {why}")
     elif options.step == "install":
         install_build(make_whole_venv(venv, NEEDED, WANTED + MORE * options.more), options.build, prefix)
     elif options.step == "tests":

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package itself: import, types, the document and the example."""
 
-import ast
 import contextlib
 import io
 import pathlib
@@ -65,25 +64,6 @@ def test_types_are_right_and_are_shipped(root, tmp_path):
     errors = [line for line in done.stdout.splitlines() if ": error:" in line]
     assert len(errors) == 1 and 'Unexpected keyword argument "spaceing"' in errors[0], done.stdout + done.stderr
     assert "numpy.ndarray" in done.stdout
-
-
-def test_the_types_of_the_compiled_part_name_what_is_in_it():
-    import fstiff._core as core
-
-    def members(nodes):
-        functions = {node.name: node for node in nodes if isinstance(node, ast.FunctionDef)}
-        variables = {node.target.id for node in nodes if isinstance(node, ast.AnnAssign)}
-        return set(functions) | variables
-
-    stub = ast.parse((pathlib.Path(fstiff.__file__).parent / "_core.pyi").read_text())
-    classes = {node.name: node.body for node in stub.body if isinstance(node, ast.ClassDef)}
-
-    def public(of):
-        return {name for name in vars(of) if not name.startswith("_")}
-
-    assert members(stub.body) | set(classes) == public(core)
-    for name, body in classes.items():
-        assert members(body) - {"__init__"} == public(getattr(core, name)), name
 
 
 def test_ctrl_c_ends_a_computation():
