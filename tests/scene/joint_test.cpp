@@ -538,7 +538,9 @@ TEST_CASE("A joint out of range is refused by the name of its member") {
     CHECK(refused([](Joint& of) {
               of.face.alpha = 1.5;
           }).starts_with("alpha = 1.5: must be finite and greater than 1.5"));
-    CHECK(refused([](Joint& of) { of.face.skewness = 0; }).starts_with("kurtosis: is missing; skewness and kurtosis belong together"));
+    CHECK(refused([](Joint& of) {
+              of.face.skewness = 0;
+          }).starts_with("kurtosis: is missing; skewness and kurtosis belong together"));
     CHECK(refused([](Joint& of) { of.face.hurst = 1.5; }) == "hurst = 1.5: must be greater than 0 and at most 1");
     CHECK(refused([](Joint& of) { of.face.skewness = 0, of.face.kurtosis = 0.5; }).find("kurtosis") !=
           std::string::npos);
