@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Literal
 
 from . import _core
 from ._pictures import draw_spectrum
-from ._results import frame, lines_of, shown
+from ._results import frame, lines_of
 from ._surfaces import Document, Surface, of_any_form, one_source, options_of, surface_of
 
 if TYPE_CHECKING:
