@@ -22,10 +22,10 @@ from generated import ROOT, write_or_check
 
 TRACE = "fstiff generate profile --points 16384 --spacing '0.5 um' --hurst 0.4 --rms '0.3 um' --longest '500 um' --seed 3 -o trace.csv"
 MAP = "fstiff generate map --points 256 --spacing '0.5 um' --hurst 0.8 --rms '0.5 um' --longest '32 um' --shortest '4 um' --seed 1 -o map.csv"
-PLOT = """import fstiff; from fstiff._page import figure, file_of, style
+PLOT = """import fstiff; from fstiff._page import MARK, figure, saved, style
 with style():
     of, ax = figure(6, 3.6); {}.plot(ax)
-open("{}.svg", "w", encoding="utf-8").write(file_of(of))"""
+open("{}.svg", "w", encoding="utf-8").write(saved(of, facecolor="white", metadata={{"Creator": MARK, "Date": None}}))"""
 # Name of each picture, and the commands that draw it, in a folder with copies of docs, data and a folder of examples.
 PICTURES = {
     "ground_plates": ("run data/ground_plates.toml",),

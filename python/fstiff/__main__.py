@@ -6,11 +6,11 @@ from __future__ import annotations
 import argparse
 import sys
 
-from . import _paper, _report, _run
+from . import _report, _run
 from ._core import version
 
 #: The commands: a module has add_arguments(parser) and execute(arguments), which returns the exit code.
-COMMANDS = {"run": _run, "report": _report, "reproduce": _paper}
+COMMANDS = {"run": _run, "report": _report}
 
 
 def main(words: list[str] | None = None) -> int:

@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures with their numbers, and HTML pages that hold them: a page opens without a network, a script or another file."""
+"""Pictures, and HTML pages that hold them: a page opens without a network, a script or another file."""
 
 from __future__ import annotations
 
-import csv
 import io
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ._errors import FileError
-from ._results import name_ticks, need_matplotlib
+from ._results import need_matplotlib
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from ._results import Numbers
 
 #: Near the beginning of every file that is written; files without it are not replaced.
 MARK = "made by python -m fstiff"
@@ -95,87 +92,25 @@ def svg(figure: Figure) -> str:
                   element[element.index("<svg") :]).replace(INK, "currentColor")  # fmt: skip
 
 
-class Curve(NamedTuple):
-    label: str
-    x: Numbers
-    y: Numbers
-    style: str  #: colour, marker and dashes as matplotlib abbreviates them
-    others: dict[str, Any] = {}
+def keep(file: Path) -> None:
+    """Raises FileError where `file` is a folder, or was made by somebody else."""
+    if file.is_dir():
+        raise FileError(f"{file}: is a folder")
+    if file.exists() and file.stat().st_size and MARK.encode() not in file.read_bytes()[:2000]:
+        raise FileError(f"{file}: was not made by fstiff and is not replaced; move it away or choose another name")
 
 
-class Panel(NamedTuple):
-    axes: dict[str, Any]  #: labels with units, scales and limits, as matplotlib calls them
-    curves: list[Curve]
-    window: tuple[str, float, float] | None = None  #: a range of x with its label
-
-
-class Picture(NamedTuple):
-    name: str
-    title: str
-    caption: str
-    panels: list[Panel]
-
-
-def drawn(picture: Picture) -> Figure:
-    """The picture, a panel below the other."""
-    with style():
-        from matplotlib.figure import Figure
-
-        made = Figure(figsize=(6.4, 4.2 * len(picture.panels)), layout="constrained")
-        made.suptitle(picture.title, weight="bold")
-        for i, panel in enumerate(picture.panels):
-            axes = made.add_subplot(len(picture.panels), 1, i + 1)
-            for curve in panel.curves:
-                axes.plot(curve.x, curve.y, curve.style, label=curve.label, **curve.others)
-            if panel.window:
-                label, low, high = panel.window
-                axes.axvspan(low, high, color="grey", alpha=0.2, lw=0, zorder=0, label=label)
-            axes.set(**panel.axes)
-            name_ticks(axes)
-            axes.grid(True)
-            axes.legend(fontsize="small")
-    return made
-
-
-def file_of(figure: Figure) -> str:
-    """The figure as a file of its own, on white."""
-    return saved(figure, facecolor="white", metadata={"Creator": MARK, "Date": None})
-
-
-def numbers(picture: Picture) -> str:
-    """The points of the curves as CSV."""
-    file = io.StringIO()
-    file.write(f"# {MARK}: the numbers of a picture\n")
-    rows = csv.writer(file, lineterminator="\n")
-    rows.writerow(["curve", "panel", "label", "x_quantity", "x", "y_quantity", "y", "low", "high"])
-    curves = [(place, panel.axes, curve) for place, panel in enumerate(picture.panels, 1) for curve in panel.curves]
-    for i, (place, axes, curve) in enumerate(curves, 1):
-        for x, y in zip(curve.x.tolist(), curve.y.tolist()):
-            rows.writerow([i, place, curve.label, axes["xlabel"], x, axes["ylabel"], y, "", ""])
-    return file.getvalue()
-
-
-def keep(*files: Path) -> None:
-    """Raises FileError where one of `files` is a folder, or was made by somebody else."""
-    for file in files:
-        if file.is_dir():
-            raise FileError(f"{file}: is a folder")
-        if file.exists() and file.stat().st_size and MARK.encode() not in file.read_bytes()[:2000]:
-            raise FileError(f"{file}: was not made by fstiff and is not replaced; move it away or choose another name")
-
-
-def write(files: Mapping[Path, str]) -> None:
-    """Writes all files, or none where keep() refuses one; the folders are made when missing."""
-    keep(*files)
-    for file, text in files.items():
-        partial = file.with_name(file.name + ".partial")
-        try:
-            file.parent.mkdir(parents=True, exist_ok=True)
-            partial.write_text(text, "utf-8", newline="\n")
-            partial.replace(file)
-        except OSError as error:
-            partial.unlink(missing_ok=True)
-            raise FileError(f"{file}: cannot be written: {error.strerror}") from error
+def write(file: Path, text: str) -> None:
+    """Writes the file, unless keep() refuses it; its folder is made when missing."""
+    keep(file)
+    partial = file.with_name(file.name + ".partial")
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        partial.write_text(text, "utf-8", newline="\n")
+        partial.replace(file)
+    except OSError as error:
+        partial.unlink(missing_ok=True)
+        raise FileError(f"{file}: cannot be written: {error.strerror}") from error
 
 
 class Page:

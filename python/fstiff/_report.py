@@ -229,7 +229,7 @@ def execute(arguments: argparse.Namespace) -> int:
         raise ValueError(f"--output = {file}: must end in .html")
     keep(Path(file))
     text, curves = page_of(Scene(arguments.scene, surface=arguments.surface))
-    write({Path(file): text})
+    write(Path(file), text)
     print(f"report of {curves.name}: {file}")
     for warning in curves.warnings:
         print(f"fstiff: warning: {sentence(warning)}", file=sys.stderr)

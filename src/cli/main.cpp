@@ -53,7 +53,7 @@ constexpr OldName old_names[] = {
     {"spectrum", "is fstiff measure --show spectrum, with the same options"},
     {"merge", "is cat part-*.jsonl > all.jsonl, of parts whose names are in the order of their --rows"},
     {"report", "is python -m fstiff report SCENE -o FILE.html, of the Python package"},
-    {"reproduce", "is python -m fstiff reproduce FOLDER, of the Python package"},
+    {"reproduce", "is python examples/paper/reproduce.py FOLDER, a program of the source over the Python package"},
     {"integral", "is a program of its own, example_integral, which a build from source makes"},
 };
 

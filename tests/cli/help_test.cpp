@@ -123,7 +123,7 @@ TEST_CASE("A name of former times ends with the call that took its place") {
                                                                        {"peaks", "PeakDistribution of the C++ library"},
                                                                        {"spectrum", "fstiff measure --show spectrum,"},
                                                                        {"merge", "cat part-*.jsonl > all.jsonl,"},
-                                                                       {"reproduce", "python -m fstiff reproduce"},
+                                                                       {"reproduce", "examples/paper/reproduce.py"},
                                                                        {"integral", "example_integral"}})
         for (const std::string& words : {name, name + " x"}) test::check_refused(words, 2, {name + ": ", call});
 }

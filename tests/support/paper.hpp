@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The three surfaces of the paper, Tables 1 and 2, and their counterface: Buczkowski, Kleiber, Starzynski,
-// Arch. Mech. 66 (2014). The scenes of data/ and python/fstiff/_paper.py hold the same numbers once more.
+// Arch. Mech. 66 (2014). The scenes of data/ and examples/paper/reproduce.py hold the same numbers once more.
 #include <fstiff/surface/moments.hpp>
 
 #include <array>

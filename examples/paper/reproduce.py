@@ -1,42 +1,65 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The figures, tables and conclusions of the reference paper, into a folder.
 
-Figs. 2, 4, 6, 7, 8 and 9 as SVG with their numbers (CSV), errata.md, and index.html with all of it.
+    python examples/paper/reproduce.py FOLDER
+
+FOLDER, which is made when missing, has Figs. 2, 4, 6, 7, 8 and 9 as SVG with their numbers (CSV), and index.html with all of it. The
+program needs the package fstiff and matplotlib (pip install 'fstiff[plot]').
 """
 
-from __future__ import annotations
-
 import argparse
+import csv
 import math
-from collections.abc import Mapping
+import re
+from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+import matplotlib
 import numpy as np
+from matplotlib.figure import Figure
 
-from . import Contact, __version__, effective_modulus, fit, generate, islands, peak_integral
-from ._errors import FileError
-from ._page import INK, MARK, Curve, Page, Panel, Picture, drawn, file_of, keep, numbers, write
-from ._results import html_of, need_matplotlib, shown, text_table
-
-if TYPE_CHECKING:
-    from ._results import Numbers
-
-    TextRows = list[list[str]]
+import fstiff
 
 PAPER = "R. Buczkowski, M. Kleiber, G. Starzyński, Normal contact stiffness of fractal rough surfaces, Arch. Mech. 66 (2014)"
 NO_POINTS = "Experimental points are not drawn: they are only in the paper's figures, not in its text or tables."
 REMARK = "The discussion adds that a smoother surface has the larger D; Table 2 has the largest D, 1.70, on the roughest one."
-ERRATA = Path(__file__).parent / "errata.md"
+ERRATA = Path(__file__).parents[2] / "docs" / "errata.md"
+PAGE = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>The paper reproduced</title>
+<style>body{font-family:sans-serif;max-width:70rem;margin:1rem auto}pre{white-space:pre-wrap}img{max-width:100%}</style>"""
 
 AREA = 195e-6  #: nominal [m^2]
-MODULUS = effective_modulus(205e9, 0.3, 205e9, 0.3)
+MODULUS = fstiff.effective_modulus(205e9, 0.3, 205e9, 0.3)
 YIELDING: Any = {"poisson_ratio": 0.3, "yield_strength": 400e6}
 PRESSURES = np.array([1e5 * 10 ** (k / 10) for k in range(31)])  #: [Pa]
 SEED = 2014
 GAMMA = 1.5  #: ratio of neighbouring wavelengths of a sum of cosines
-NAMES = ("fig2", "fig4", "fig6", "fig7", "fig8", "fig9")  #: of the pictures
 UNFILTERED: Any = {"detrend": "none", "lambda_s": "none"}  #: options of a generated surface
+
+Numbers = np.ndarray
+Rows = list[list[str]]  #: of a table, the first one its header
+
+
+class Curve(NamedTuple):
+    label: str
+    x: Numbers
+    y: Numbers
+    style: str  #: colour, marker and dashes as matplotlib abbreviates them
+    others: dict[str, Any] = {}
+
+
+class Panel(NamedTuple):
+    axes: dict[str, Any]  #: labels with units, scales and limits, as matplotlib calls them
+    curves: list[Curve]
+    window: tuple[str, float, float] | None = None  #: a range of x with its label
+
+
+class Picture(NamedTuple):
+    name: str
+    title: str
+    caption: str
+    panels: list[Panel]
 
 
 class Specimen(NamedTuple):
@@ -53,13 +76,12 @@ class Specimen(NamedTuple):
 
     def stiffness(self, law: str, theta: str = "pi/4", **others: Any) -> Numbers:
         """K at PRESSURES [Pa/m]."""
-        contact = Contact(
+        contact = fstiff.Contact(
             law, rms_height=self.rms_height, peak_radius=self.peak_radius, peak_density=self.peak_density,
             max_peak_height=self.max_peak_height, fractal_dimension=self.fractal_dimension, effective_modulus=MODULUS,
             **exponential(theta), **others,
         )  # fmt: skip
-        stiffness: Numbers = contact.at_pressures(PRESSURES, ["stiffness"])["stiffness_Pa_per_m"]
-        return stiffness
+        return contact.at_pressures(PRESSURES, ["stiffness"])["stiffness_Pa_per_m"]
 
     def structure_function(self, lag: Any) -> Any:
         """C lag^(4-2D) [m^2] with the exact constant of (2.4)."""
@@ -94,10 +116,9 @@ def density_of_heights(zeta: Numbers, r: float, theta: float) -> Numbers:
 
 
 def figure_2() -> Picture:
-    curves, z = [], np.linspace(-4, 4, 161)
-    for name, r, style in (("1/2", 1 / 2, "C0:"), ("1/3", 1 / 3, "C1-"), ("1/5", 1 / 5, "C2--")):
-        curves.append(Curve(f"r = {name}", z, density_of_heights(z, r, math.pi / 3), style))
-    curves.append(Curve("Gaussian heights of all ordinates", z, np.exp(-z * z / 2) / math.sqrt(2 * math.pi), ":", {"lw": 1, "color": INK}))
+    z, styles = np.linspace(-4, 4, 161), {2: "C0:", 3: "C1-", 5: "C2--"}
+    curves = [Curve(f"r = 1/{n}", z, density_of_heights(z, 1 / n, math.pi / 3), style) for n, style in styles.items()]
+    curves.append(Curve("Gaussian heights of all ordinates", z, np.exp(-z * z / 2) / math.sqrt(2 * math.pi), "k:", {"lw": 1}))
     caption = "Fig. 2: density of the heights of the peaks for θ = π/3, eq. (4.4) integrated over the curvature."
     axes = {"xlabel": "height of a peak ζ = z/σ", "ylabel": "probability density", "ylim": (0, None)}
     return Picture("fig2", "Fig. 2: heights of the peaks, θ = π/3", caption, [Panel(axes, curves)])
@@ -121,16 +142,16 @@ def shortest_wave(specimen: Specimen, longest: float) -> float:
     return longest / ratio
 
 
-def figure_4() -> tuple[Picture, TextRows]:
+def figure_4() -> tuple[Picture, Rows]:
     density, radius, generated = [], [], []
     for k, specimen in enumerate(SPECIMENS):
         longest = longest_wave(specimen)
         shortest = shortest_wave(specimen, longest)
-        surface = generate(
+        surface = fstiff.generate(
             "map", shortest / 4, points=1024, hurst=2 - specimen.fractal_dimension, rms=specimen.rms_height,
             longest=longest, shortest=shortest, long_waves="none", seed=SEED,
         )  # fmt: skip
-        found = islands(surface, tiles=4, resamples=200, seed=SEED, **UNFILTERED)
+        found = fstiff.islands(surface, tiles=4, resamples=200, seed=SEED, **UNFILTERED)
         curve, most = found["curve"], found["representative"]
         share = 100 * curve["bearing_area"]
         density.append(Curve(specimen.name, share, curve["density_per_m2"] * 1e-6, f"C{k}-"))
@@ -157,32 +178,30 @@ def figure_4() -> tuple[Picture, TextRows]:
     return Picture("fig4", "Fig. 4: islands against the bearing area, generated maps", caption, panels), generated
 
 
-def figure_6() -> tuple[Picture, TextRows]:
+def figure_6() -> tuple[Picture, Rows]:
     specimen, spacing = SPECIMENS[0], 0.5e-6
     d, g = specimen.fractal_dimension, specimen.fractal_roughness
     # sigma^2 = G^(2D-2) longest^(4-2D) / (2 (1 - gamma^(2D-4))) of the endless sum
     longest = g * (2 * (specimen.rms_height / g) ** 2 * (1 - GAMMA ** (2 * d - 4))) ** (1 / (4 - 2 * d))
-    surface = generate(
-        "wm", spacing, points=16000, dimension=d, roughness=g, gamma=GAMMA, longest=longest, shortest=2 * spacing, seed=SEED
-    )
-    found = fit(surface, seed=SEED, **UNFILTERED)
-    first, second, fitted = found["structure_function"], found["second_differences"], found["fitted"]
+    waves_of: Any = {"dimension": d, "roughness": g, "gamma": GAMMA, "longest": longest, "shortest": 2 * spacing}
+    surface = fstiff.generate("wm", spacing, points=16000, seed=SEED, **waves_of)
+    found = fstiff.fit(surface, seed=SEED, **UNFILTERED)
+    first, second = found["structure_function"], found["second_differences"]
     waves = longest * GAMMA ** -np.arange(1 + math.floor(math.log(longest / (2 * spacing)) / math.log(GAMMA)))
     amplitudes = waves * (g / waves) ** (d - 1)
+    endless = specimen.structure_function(first["lag_m"])
     summed = (2 * (amplitudes * np.sin(np.pi * first["lag_m"][:, None] / waves)) ** 2).sum(axis=1)
 
-    def curve(label: str, columns: Any, style: str, **others: Any) -> Curve:
-        return Curve(label, columns["lag_m"] * 1e6, columns["value_m2"] * 1e12, style, others)
+    def curve(label: str, columns: Any, style: str) -> Curve:
+        return Curve(label, columns["lag_m"] * 1e6, columns["value_m2"] * 1e12, style)
 
-    law = {**first, "value_m2": specimen.structure_function(first["lag_m"])}
     curves = [
         curve("S of the profile, eq. (2.8)", thinned(first), "C0o"),
         curve("S of the cosines that were summed", {**first, "value_m2": summed}, "C0-"),
-        curve("C τ^(4-2D), D and G of Table 2: a sum without ends", law, "--", color=INK),
+        curve("C τ^(4-2D), D and G of Table 2: a sum without ends", {**first, "value_m2": endless}, "k--"),
         curve("S₂ of its second differences", thinned(second), "C1^"),
-        curve("what is fitted to S₂, with D and G", fitted, "C1-"),
+        curve("what is fitted to S₂, with D and G", found["fitted"], "C1-"),
     ]
-    low, high = found["window_m"] * 1e6
     axes = {"xlabel": "lag τ [µm]", "ylabel": "S, S₂ [µm²]", "xscale": "log", "yscale": "log"}
     generated = [
         ("longest wave [mm]", shown(longest * 1e3, 3), "from σ, D, G"),
@@ -196,8 +215,8 @@ def figure_6() -> tuple[Picture, TextRows]:
         "differences, S₂, which depend less on the ends of the sum of cosines than S does."
     )
     title = "Fig. 6: structure function, sand blasted (fine), generated profile"
-    picture = Picture("fig6", title, caption, [Panel(axes, curves, ("window of the fit", low, high))])
-    return picture, [["Fig. 6", specimen.name, *row] for row in generated]
+    panel = Panel(axes, curves, ("window of the fit", *found["window_m"] * 1e6))
+    return Picture("fig6", title, caption, [panel]), [["Fig. 6", specimen.name, *row] for row in generated]
 
 
 def stiffness_figure(specimen: Specimen) -> tuple[Picture, dict[str, Numbers]]:
@@ -223,10 +242,8 @@ def stiffness_figure(specimen: Specimen) -> tuple[Picture, dict[str, Numbers]]:
         curves = [Curve(label, PRESSURES / 1e6, k / 1e15, *style) for (label, k), style in zip(models.items(), styles)]
         return Panel({"title": title, **axes}, curves)
 
-    panels = [
-        panel("The interface alone", {**alone, **plastic}),
-        panel("With the interaction (4.11), L = √A₀, η_old effective", interacting),
-    ]
+    with_layer = panel("With the interaction (4.11), L = √A₀, η_old effective", interacting)
+    panels = [panel("The interface alone", {**alone, **plastic}), with_layer]
     title = f"Fig. {specimen.figure[-1]}: normal contact stiffness, {specimen.name}"
     caption = (
         f"{title}. {NO_POINTS} Two curves are not in the paper: their peaks yield (H = 2.8 Y, θ = π/4, r = 0), and K is that of "
@@ -250,7 +267,7 @@ def quantities(specimen: Specimen, fractal: Numbers, third: Numbers, elastic: Nu
 
     def of_separation(theta: str) -> Numbers:
         contact = lambda excess, t: np.sqrt(excess / t)
-        return np.array([peak_integral(contact, eta=eta, **exponential(theta)).value for eta in np.arange(25) / 8])
+        return np.array([fstiff.peak_integral(contact, eta=eta, **exponential(theta)).value for eta in np.arange(25) / 8])
 
     return {
         "fractal_over_elastic": fractal / elastic,
@@ -261,7 +278,7 @@ def quantities(specimen: Specimen, fractal: Numbers, third: Numbers, elastic: Nu
     }
 
 
-def conclusions(found: list[dict[str, Numbers]]) -> TextRows:
+def conclusions(found: list[dict[str, Numbers]]) -> Rows:
     """What the paper concludes, the result and its reason. Both follow from the numbers: a change of the model changes them."""
 
     def spread(key: str, digits: int = 3) -> str:
@@ -289,12 +306,17 @@ def conclusions(found: list[dict[str, Numbers]]) -> TextRows:
     ]  # fmt: skip
 
 
-def with_error(found: Mapping[str, float], key: str, factor: float, digits: int = 3) -> str:
+def shown(value: float, digits: int = 4) -> str:
+    """The number for people: 570, not 5.7e+02."""
+    return f"{float(f'{value:.{digits}g}'):g}"
+
+
+def with_error(found: Any, key: str, factor: float, digits: int = 3) -> str:
     """The number and its standard error, whose key has "_error" in it."""
     return f"{shown(found[key.format('')] * factor, digits)} ± {shown(found[key.format('_error')] * factor, 2)}"
 
 
-def thinned(columns: dict[str, Numbers]) -> dict[str, Numbers]:
+def thinned(columns: Any) -> dict[str, Numbers]:
     """Nine points a decade."""
     chosen = [0]
     for i, lag in enumerate(columns["lag_m"]):
@@ -303,53 +325,77 @@ def thinned(columns: dict[str, Numbers]) -> dict[str, Numbers]:
     return {key: column[chosen] for key, column in columns.items()}
 
 
+def text_table(rows: Rows) -> str:
+    """Columns of text, the first at the left."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    cells = [[cell.rjust(width) if i else cell.ljust(width) for i, (cell, width) in enumerate(zip(row, widths))] for row in rows]
+    return "\n".join(f"  {'  '.join(row)}".rstrip() for row in cells)
+
+
 def reproduce() -> tuple[list[Picture], dict[str, str]]:
     """The figures, which are computed in some seconds, and the sections of text by their titles."""
     islands_of_maps, of_maps = figure_4()
     structure_function, of_profile = figure_6()
     stiffness, found = zip(*(stiffness_figure(specimen) for specimen in SPECIMENS))
-    factors = (1e6, 1e6, 1e-6, 1e6, 1, 1e9)
-    table = [[one.name, *(shown(value * factor) for value, factor in zip(one[2:], factors))] for one in SPECIMENS]
+    table = [[one.name, *map(shown, np.multiply(one[2:], (1e6, 1e6, 1e-6, 1e6, 1, 1e9)))] for one in SPECIMENS]
     spans = [
         [str(number), specimen.name, words, shown(min(values[key])), shown(max(values[key]))]
         for key, (number, words) in QUANTITIES.items()
         for specimen, values in zip(SPECIMENS, found)
     ]
-    results = {f"Conclusion {i}": "{}\n  result: {}\n  {}".format(*words) for i, words in enumerate(conclusions(found), 1)}
-    departures = [line[4:] for line in ERRATA.read_text("utf-8").splitlines() if line.startswith("### ")]
     sections = {
-        f"fstiff {__version__}: the paper reproduced": f"{PAPER}\n{NO_POINTS}\n{REMARK}",
-        **results,
+        f"fstiff {fstiff.__version__}: the paper reproduced": f"{PAPER}\n{NO_POINTS}\n{REMARK}",
+        **{f"Conclusion {i}": "{}\n  result: {}\n  {}".format(*words) for i, words in enumerate(conclusions(found), 1)},
         "Numbers for the conclusions": text_table([["conclusion", "surface", "quantity", "least", "greatest"], *spans]),
         "Tables 1 and 2": text_table([["surface", "σ [µm]", "R [µm]", "D_p [1/mm²]", "R_p [µm]", "D", "G [nm]"], *table])
         + "\nE₁ = E₂ = 205 GPa, ν = 0.3, Y = 400 MPa, A₀ = 195 mm²",
         "Generated surfaces": text_table([["figure", "surface", "quantity", "generated", "paper"], *of_maps, *of_profile]),
-        "Errata (in full in errata.md)": "\n".join(departures),
+        "Errata (in full in docs/errata.md)": "\n".join(re.findall("^### (.*)", ERRATA.read_text("utf-8"), re.MULTILINE)),
     }
     return [figure_2(), islands_of_maps, structure_function, *stiffness], sections
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("folder", metavar="FOLDER", help="for the figures and index.html; made when missing")
+def draw(picture: Picture, file: Path) -> None:
+    """The picture as SVG, a panel below the other."""
+    figure = Figure(figsize=(6.4, 4.2 * len(picture.panels)), layout="constrained")
+    figure.suptitle(picture.title, weight="bold")
+    for axes, panel in zip(figure.subplots(len(picture.panels), squeeze=False)[:, 0], picture.panels):
+        for curve in panel.curves:
+            axes.plot(curve.x, curve.y, curve.style, label=curve.label, **curve.others)
+        if panel.window:
+            axes.axvspan(*panel.window[1:], color="grey", alpha=0.2, lw=0, zorder=0, label=panel.window[0])
+        axes.set(**panel.axes)
+        axes.grid(True)
+        axes.legend(fontsize="small")
+    with matplotlib.rc_context({"svg.hashsalt": picture.name, "svg.fonttype": "none"}):  # the same file each time
+        figure.savefig(file, metadata={"Date": None})
 
 
-def execute(arguments: argparse.Namespace) -> int:
-    need_matplotlib()
-    folder = Path(arguments.folder)
-    if folder.exists() and not folder.is_dir():
-        raise FileError(f"{folder}: is not a folder")
-    keep(folder / "errata.md", folder / "index.html", *(folder / (name + end) for name in NAMES for end in (".svg", ".csv")))
+def write_numbers(picture: Picture, file: Path) -> None:
+    """The points of the curves as CSV."""
+    rows: list[Any] = [["panel", "label", "x_quantity", "x", "y_quantity", "y"]]
+    for place, (axes, curves, _) in enumerate(picture.panels, 1):
+        for curve in curves:
+            rows += [[place, curve.label, axes["xlabel"], x, axes["ylabel"], y] for x, y in zip(curve.x.tolist(), curve.y.tolist())]
+    with file.open("w", encoding="utf-8", newline="") as opened:
+        csv.writer(opened, lineterminator="\n").writerows(rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", metavar="FOLDER", type=Path, help="of the figures and index.html, which are replaced")
+    folder = parser.parse_args().folder
+    folder.mkdir(parents=True, exist_ok=True)
     pictures, sections = reproduce()
-    page = Page("The paper reproduced")
-    files = {folder / "errata.md": f"<!-- {MARK} -->\n{ERRATA.read_text('utf-8')}"}
-    for title, body in sections.items():
-        page.heading(title)
-        page.add(html_of(body))
-    for picture in pictures:
-        figure = drawn(picture)
-        page.figure(figure, picture.caption)
-        files |= {folder / f"{picture.name}.svg": file_of(figure), folder / f"{picture.name}.csv": numbers(picture)}
-    write({**files, folder / "index.html": str(page)})
-    sections["Files"] = "\n".join(map(str, [*files, folder / "index.html"]))
-    print("\n\n".join(f"{title}\n{body}" for title, body in sections.items()))
-    return 0
+    page = PAGE + "".join(f"<h2>{title}</h2>\n<pre>{escape(text)}</pre>\n" for title, text in sections.items())
+    for one in pictures:
+        draw(one, folder / f"{one.name}.svg")
+        write_numbers(one, folder / f"{one.name}.csv")
+        page += f'<figure><img src="{one.name}.svg" alt="{one.title}"><figcaption>{one.caption}</figcaption></figure>\n'
+    (folder / "index.html").write_text(page, "utf-8")
+    sections["Files"] = "\n".join(str(folder / name) for name in ("fig*.svg", "fig*.csv", "index.html"))
+    print("\n\n".join(f"{title}\n{text}" for title, text in sections.items()))
+
+
+if __name__ == "__main__":
+    main()
