@@ -34,12 +34,9 @@ PLAIN = {"rms": '"0.832 um"', "modulus": '"205 GPa"', "poisson": "0.3", "law": "
 RANGE = '{{ from = "{}", to = "{}", count = {} }}'
 CASES = {  # what changes for n scenes
     "four integrals, separations of one surface": lambda n: {"points": f"separations = [ {RANGE.format('0.1 um', '3 um', n)} ]"},
-    "four integrals, moduli at one separation of one surface": lambda n: {
-        "modulus": RANGE.format("100 GPa", "300 GPa", n), "points": 'separations = ["1 um"]'},
     "inversions, pressures on one surface": lambda n: {"points": f"pressures = [ {RANGE.format('0.1 MPa', '100 MPa', n)} ]"},
     "cold inversions, a surface of its own for each": lambda n: {"rms": RANGE.format("0.5 um", "2 um", n)},
     "cold inversions of the law fractal": lambda n: {"rms": RANGE.format("0.5 um", "2 um", n), "law": "fractal"},
-    "cold inversions, a Poisson ratio for each (read anew)": lambda n: {"poisson": f"{{ from = 0.2, to = 0.4, count = {n} }}"},
     "cold inversions, three distributed inputs": lambda n: {
         "rms": '{ lognormal = ["0.8 um", 0.1] }', "modulus": '{ normal = ["205 GPa", "5 GPa"] }',
         "points": 'pressures = [ { uniform = ["1 MPa", "20 MPa"] } ]', "more": f"[sweep]\nsamples = {n}"},
