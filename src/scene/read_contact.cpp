@@ -303,6 +303,16 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
 
 }  // namespace
 
+void resolve(Scene& scene) {
+    const auto is_given = scene.joint.is_given;
+    scene.joint =
+        with_faces(scene.given, std::move(scene.joint.face), std::move(scene.joint.faces), scene.joint.law_options);
+    scene.joint.is_given = is_given;
+    if (const auto spectrum = scene.joint.law_options.spectrum)
+        scene.joint.face.write(
+            [&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
+}
+
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawKind law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
@@ -321,13 +331,7 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
     }
     read_area(source, contact, scene, replaced);
     read_interaction(source, contact, scene);
-    const auto is_given = scene.joint.is_given;
-    scene.joint =
-        with_faces(scene.given, std::move(scene.joint.face), std::move(scene.joint.faces), scene.joint.law_options);
-    scene.joint.is_given = is_given;
-    if (const auto spectrum = scene.joint.law_options.spectrum)
-        scene.joint.face.write(
-            [&](detail::Face& face) { face.spectrum_of_map = spectrum == detail::SpectrumSource::map; });
+    resolve(scene);
     read_points(source, contact, scene);
     read_laws(source, root, contact, scene, replaced);
     for (const LawKind law : laws_with_options)  // checked, though no law of the scene takes them

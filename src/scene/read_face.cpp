@@ -191,6 +191,7 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
         for (detail::Prior& prior : face.priors)
             if (prior.origin == detail::Origin::mean_height) prior.origin = detail::Origin::mean_heights;
     record_following(source, surface, face, following);
+    scene.given.face = std::move(given);
     return face;
 }
 

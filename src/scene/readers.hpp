@@ -44,6 +44,8 @@ void read_friction(Source& source, const toml::table& table, Scene& scene);
 /// Reads [contact] of \p root, with the sections of its laws, and of what crosses it, and resolves the joint.
 /// \p replaced: the surface is not that of the scene.
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);
+/// Resolves scene.given with the faces of scene.joint, but for the laws and the peaks.
+void resolve(Scene& scene);
 /// The keys of a bearing curve, the first of them that is there, and what they make of \p of.
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
 [[nodiscard]] std::string first_bearing_key(const Section& surface);

@@ -74,7 +74,7 @@ struct NumberOf {
 
 /// A joint, what is asked of it, and the text that both come from.
 struct Scene {
-    Joint given;  ///< as it is written, but for the faces
+    Joint given;  ///< as it is written; of two rough faces without these
     detail::ResolvedJoint joint;
     std::string name;
     std::string file;    ///< as given, or "built-in scene"

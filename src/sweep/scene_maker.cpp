@@ -4,10 +4,14 @@
 #include "scene/readers.hpp"
 #include "sweep/template.hpp"
 
+#include <fstiff/answer/resolve.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
+#include <string>
+#include <string_view>
 
 namespace fstiff::sweep {
 namespace {
@@ -20,6 +24,55 @@ bool has(const toml::table& root, const char* key) { return static_cast<bool>(ro
 
 bool is_measured(const toml::table& root) {
     return has(root, "surface.from") || has(root, "surface.upper") || has(root, "surface.lower");
+}
+
+/// Puts \p value into the number of \p owner called \p name, or by another word for it. \return whether it has one that
+/// may have this value.
+template <class Owner>
+bool put_number(Owner& owner, std::string_view name, double value) {
+    bool done = false;
+    each_field(owner, [&](std::string_view each, auto& to, const NumberFacts& facts) {
+        if (each != name && std::count(facts.words.begin(), facts.words.end(), name) == 0) return;
+        done = facts.holds(value);
+        to = value;
+    });
+    return done;
+}
+
+/// The same at \p key of a scene, where the number enters as it is and no other one of \p root follows from it.
+bool put_number_at(Scene& scene, const toml::table& root, std::string_view key, double value) {
+    const std::size_t dot = key.rfind('.');
+    const std::string_view section = key.substr(0, dot), name = key.substr(dot + 1);
+    if (section == "contact" && (name.starts_with("pressures[") || name.starts_with("separations["))) {
+        scene.points[std::stoul(std::string(name.substr(name.find('[') + 1)))] = value;
+        return std::isfinite(value) && (scene.at_separations || value > 0);
+    }
+    if (section == "surface") return put_number(scene.given.face, name, value);
+    if (section == "friction" && scene.given.friction) return put_number(*scene.given.friction, name, value);
+    if (section == "ultrasound" && scene.given.waves) return put_number(*scene.given.waves, name, value);
+    const bool upper = section == "material.upper";
+    if (!upper && section != "material.lower") return false;
+    const bool leads =
+        name.ends_with("velocity") || name == "density" ||  // to impedances, and HBW to a pressure
+        (name == "youngs_modulus" && has(root, upper ? "material.upper.hardness" : "material.lower.hardness"));
+    return !leads && put_number(upper ? scene.given.upper : scene.given.lower, name, value) &&
+           (!upper || has(root, "material.lower") || put_number(scene.given.lower, name, value));
+}
+
+/// Resolves \p scene, whose numbers are others than when it was read.
+void resolve_anew(Scene& scene) {
+    std::vector<detail::Peaks> peaks = std::move(scene.joint.peaks);
+    const bool follow = scene.joint.default_peaks || peaks.front().of_surface;
+    scene.joint.face = detail::face_of(scene.given.face);
+    resolve(scene);
+    if (scene.best) scene.laws = {&law_of_answer(scene.joint, scene.at_separations)};
+    if (!follow) {
+        scene.joint.peaks = std::move(peaks);
+        return;
+    }
+    take_peaks(scene.joint);
+    for (std::size_t i = 0; i < scene.joint.peaks.size(); ++i)
+        scene.joint.peaks[i].where = peaks.front().where, scene.joint.peaks[i].key = peaks.front().key;
 }
 
 }  // namespace
@@ -117,15 +170,33 @@ Scene SceneMaker::read(const std::vector<Value>& values) {
     return read_with(values, with_surface.get());
 }
 
+bool SceneMaker::put(const std::vector<Value>& values, Work& work) const {
+    if (measured_ || work.made_for.empty()) return false;
+    const std::vector<detail::Peaks>& peaks = work.scene.joint.peaks;
+    if (peaks.size() > 1 && std::any_of(peaks.begin(), peaks.end(), [](const auto& each) { return each.of_surface; }))
+        return false;
+    bool only_points = true;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Axis& axis = grid_.axes[i];
+        if (values[i].place == work.made_for[i].place && values[i].number == work.made_for[i].number) continue;
+        if (axis.is_text() || !put_number_at(work.scene, grid_.form->root, axis.key, values[i].number)) return false;
+        only_points = only_points && i == point_axis_;
+    }
+    if (only_points && folds_) return true;
+    work.contacts.clear();  // before what they were made of
+    try {
+        resolve_anew(work.scene);
+    } catch (const domain_error&) {  // which reading reports with its place
+        return false;
+    }
+    work.contacts = contacts_of(work.scene.joint, work.scene.laws);
+    return true;
+}
+
 void SceneMaker::make(const std::vector<Value>& values, Work& work) {
-    if (folds_ && !work.made_for.empty() && alike(values, work.made_for)) {
-        const double point = values[point_axis_].number;
-        if (!(std::isfinite(point) && (work.scene.at_separations || point > 0)))
-            (void)read(values);  // which refuses it
-        work.scene.points.front() = point;
-    } else {
+    if (!put(values, work)) {
         work.made_for.clear();
-        work.contacts.clear();  // before what they were made of
+        work.contacts.clear();
         work.scene = read(values);
         work.contacts = contacts_of(work.scene.joint, work.scene.laws);
     }

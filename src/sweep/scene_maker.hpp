@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Scenes of a grid, each read of the TOML with its values. Scenes that differ in their point alone share what was read,
-// and what was measured of a file is kept for the scenes that have it.
+// Scenes of a grid. A scene that differs from the one before in numbers of its joint alone is resolved anew, any other
+// is read of the TOML with its values. Scenes that differ in their point alone share the contacts, and what was measured
+// of a file is kept for the scenes that have it.
 //
 // Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
@@ -60,6 +61,9 @@ public:
     [[nodiscard]] bool alike(const std::vector<Value>& a, const std::vector<Value>& b) const;
 
 private:
+    /// Puts \p values into the scene of \p work, which has others. \return whether all that differ are numbers of a
+    /// joint that are allowed.
+    [[nodiscard]] bool put(const std::vector<Value>& values, Work& work) const;
     [[nodiscard]] scene::Scene read(const std::vector<Value>& values);
     [[nodiscard]] scene::Scene read_with(const std::vector<Value>& values, const scene::Scene* surface) const;
 

@@ -6,6 +6,7 @@
 
 #include "support/library.hpp"
 #include "sweep/grid.hpp"
+#include "sweep/lines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,20 @@ void check_row(const std::string& page, const std::string& section, const std::s
         CHECK(row.find((facts.low_too ? ">= " : "> ") + fstiff::document::shortest(facts.low)) != row.npos);
 }
 
+/// A scene that is resolved with the numbers of the next one has the lines of one that is read.
+void check_lines(const sweep::Grid& grid) {
+    sweep::SceneMaker maker(grid);
+    sweep::SceneMaker::Work work;
+    const std::string together = lines_of(grid, block_of(grid, maker, work, 0, grid.size));
+    std::string alone;
+    for (std::uint64_t i = 0; i < grid.size; ++i) {
+        sweep::SceneMaker::Work own;
+        alone += lines_of(grid, block_of(grid, maker, own, i, 1));
+    }
+    CHECK(together == alone);
+    CHECK(together.find("stiffness_Pa_per_m") != std::string::npos);
+}
+
 std::string refusal_of(const std::string& text) {
     try {
         (void)scene::read_scene(text, {.name = "scene.toml"});
@@ -127,6 +142,7 @@ TEST_CASE("every number of a face is a key, a record, a refusal, a suggestion, a
             CHECK(grid.axes[0].key == "surface." + key);
             CHECK(grid.axes[0].unit == facts.unit);
             CHECK(grid.axes[0].numbers == std::vector{number, 0.9 * number});
+            check_lines(grid);
         }
     });
     CHECK(count == 16);
@@ -150,7 +166,10 @@ TEST_CASE("every number of bodies, waves and friction is a key, a refusal, an ax
                     if (each == section || each == "material.upper") all += "[" + each + "]\n" + keys;
                 return all;
             };
-            const double number = name == "poisson_ratio" ? 0.3 : 5 * std::min(1.0, allowed_number(facts));
+            const double number = name == "youngs_modulus"  ? 205e9
+                                  : name == "poisson_ratio" ? 0.3
+                                  : facts.unit == "Pa"      ? 2e9
+                                                            : 5 * std::min(1.0, allowed_number(facts));
             const scene::Scene read = scene::read_scene(text(written(number, facts.unit)), {.name = "scene.toml"});
             CHECK(std::any_of(read.inputs.begin(), read.inputs.end(), [&](const auto& input) {
                 return input.key == path && input.value && std::abs(*input.value / number - 1) < 1e-15;
@@ -161,6 +180,7 @@ TEST_CASE("every number of bodies, waves and friction is a key, a refusal, an ax
                 text("[" + written(number, facts.unit) + ", " + written(0.9 * number, facts.unit) + "]"), "grid.toml");
             REQUIRE(grid.axes.size() == 1);
             CHECK(grid.axes[0].unit == facts.unit);
+            check_lines(grid);
             check_row(page, section == "material.upper" ? "material." : section + ".", std::string(name), facts);
         });
     };
