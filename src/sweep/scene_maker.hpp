@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Scenes of a grid. A scene that differs from the one before in numbers of its joint alone is resolved anew, any other
-// is read of the TOML with its values. Scenes that differ in their point alone share the contacts, and what was measured
-// of a file is kept for the scenes that have it.
+// is read of the TOML with its values. Scenes that differ in their point alone share the contacts, and what was
+// measured of a file is kept for the scenes that have it.
 //
 // Reference   table_of and read_table of each scene alone give the same lines, byte for byte
 //             (tests/sweep/lines_test.cpp)
