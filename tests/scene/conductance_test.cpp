@@ -138,4 +138,14 @@ TEST_CASE("Resistances are one over the conductance of the nominal area, with it
     CHECK(test::contains(asked("thermal_resistance", ""), "contact.nominal_area or contact.washer"));
 }
 
+TEST_CASE("An insulator conducts no current, and the cell of its resistance is empty") {
+    const auto found = results_of("[material]\nupper = \"glass\"\nlower = \"steel\"\n" + surface + contact +
+                                  "nominal_area = \"2 cm^2\"\n[output]\nquantities = [\"electrical_conductance\", "
+                                  "\"resistance\", \"thermal_resistance\"]\n");
+    CHECK(at(found, "electrical_conductance") == 0);
+    CHECK(at(found, "thermal_resistance") > 0);
+    CHECK_FALSE(test::value_at(found.curves().front(), 1, "resistance", ""));
+    CHECK(test::contains(test::csv_of(found), "resistance_ohm"));
+}
+
 }  // namespace conductance_scene_test

@@ -183,7 +183,7 @@ struct Answer : AnswerCurve {
 };
 
 /// K of \p joint under \p pressures [Pa], at least one, each above 0. For set-up: one pressure on a joint of numbers
-/// takes some 2 ms with its band and 2 ms more for what needs a separation, 0.15 ms of `{.quantities = {"stiffness"},
+/// takes some 0.4 ms with its band and 1 ms more for what needs a separation, 0.2 ms of `{.quantities = {"stiffness"},
 /// .samples = 0}`. A loop over pressures or separations takes Answer::law_at(), which is 1e5 times as fast. What is
 /// assumed of a process is tabulated once in a program. Any threads may call it.
 /// \throws domain_error naming the member of the joint or the option, or where no law answers and none is named.
