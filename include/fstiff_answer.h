@@ -140,9 +140,9 @@ typedef struct fstiff_answer_points {
 /** The answer of `fstiff run` to a joint under pressures [Pa], > 0, to the last digit. A point without a K has its
  * status, and 0 in every array. Returns FSTIFF_OK, or the status of the first point without a K, with its reason as the
  * message; where all have one, the message has the numbers that are likely in another unit, a sentence a line.
- * *doubtful, unless it is NULL, becomes 1 where the command would end with exit code 4. For
- * set-up: one pressure on a joint of numbers takes some 1.5 ms, 0.2 ms where samples is -1, `approach` is NULL and there
- * are no keys. Loops take fstiff_answer_law(). */
+ * *doubtful, unless it is NULL, becomes 1 where the command would end with exit code 4.
+ * For set-up: one pressure on a joint of numbers takes some 1.5 ms, 0.2 ms where samples is -1, `approach` is NULL and
+ * there are no keys. Loops take fstiff_answer_law(). */
 FSTIFF_API int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t count,
                              const fstiff_answer_points* points, int* doubtful);
 /** The name of a law of fstiff_answer(), such as "hybrid"; "unknown law" for any other number. Never NULL. */
