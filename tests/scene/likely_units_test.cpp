@@ -134,7 +134,9 @@ TEST_CASE("A refusal names the body or the face, and its member") {
           }).starts_with("upper.poisson_ratio = 0.7"));
     CHECK(refused([](Joint& of) { of.other->rms_height = -1; }).starts_with("other.rms_height = -1"));
     CHECK(refused([](Joint& of) { of.other->rms_height.reset(); }).starts_with("other.rms_height: is missing"));
-    CHECK(refused([](Joint& of) { of.other->skewness = 0; }).starts_with("other.skewness: must be given with"));
+    CHECK(refused([](Joint& of) {
+              of.other->skewness = 0;
+          }).starts_with("other.kurtosis: is missing; skewness and kurtosis belong together"));
     CHECK(refused([](Joint& of) { of.face.rms_gradient = 0; }).starts_with("rms_gradient = 0"));
 }
 
