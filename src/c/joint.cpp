@@ -2,10 +2,8 @@
 #include "c/joint.hpp"
 
 #include "c/measure.hpp"
+#include "request/put_number.hpp"
 
-#include <fstiff/answer/joint_fields.hpp>
-
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -59,30 +57,23 @@ Body body_of(const fstiff_solid& from) {
             .hardness = known(from.hardness)};
 }
 
-/// Puts \p value into the number of \p owner called \p name, or by another word for it. \return whether it has one.
-template <class Owner>
-bool take_number(Owner& owner, std::string_view name, double value) {
-    bool taken = false;
-    each_field(owner, [&](std::string_view each, auto& to, const NumberFacts& facts) {
-        if (each == name || std::count(facts.words.begin(), facts.words.end(), name) > 0) to = value, taken = true;
-    });
-    return taken;
-}
-
-/// The same for a number of \p joint by its path, such as "face.alpha". Waves, friction and the other face begin to be
-/// there with a number.
+/// Puts \p value into the number of \p joint at \p path, such as "face.alpha". Waves, friction and the other face begin
+/// to be there with a number. \return whether there is such a number.
 bool take_number_at(Joint& joint, std::string_view path, double value) {
     const std::size_t dot = path.find('.');
-    if (dot == path.npos) return take_number(joint, path, value);
+    const auto take = [value](auto& of, std::string_view name) {
+        return request::put_number(of, name, value).has_value();
+    };
+    if (dot == path.npos) return take(joint, path);
     const std::string_view owner = path.substr(0, dot), name = path.substr(dot + 1);
     const auto begun = [](auto& part) -> auto& { return part ? *part : part.emplace(); };
-    if (owner == "face") return take_number(joint.face, name, value);
-    if (owner == "other") return take_number(begun(joint.other), name, value);
-    if (owner == "upper") return take_number(joint.upper, name, value);
-    if (owner == "lower") return take_number(joint.lower, name, value);
-    if (owner == "waves") return take_number(begun(joint.waves), name, value);
-    if (owner == "friction") return take_number(begun(joint.friction), name, value);
-    return owner == "conduction" && take_number(joint.conduction, name, value);
+    if (owner == "face") return take(joint.face, name);
+    if (owner == "other") return take(begun(joint.other), name);
+    if (owner == "upper") return take(joint.upper, name);
+    if (owner == "lower") return take(joint.lower, name);
+    if (owner == "waves") return take(begun(joint.waves), name);
+    if (owner == "friction") return take(begun(joint.friction), name);
+    return owner == "conduction" && take(joint.conduction, name);
 }
 
 }  // namespace

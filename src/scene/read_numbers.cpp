@@ -17,6 +17,12 @@ namespace {
 
 const JointFace no_face{};  // of which names and facts are read
 
+/// Adds the keys of the number \p name to \p keys.
+void add_keys(std::string_view name, const NumberFacts& facts, std::vector<std::string_view>& keys) {
+    keys.push_back(name);
+    keys.insert(keys.end(), facts.words.begin(), facts.words.end());
+}
+
 /// The keys of each number, in the order of each_field(): its own, and those of the numbers that are the same in
 /// another way.
 std::vector<std::vector<std::string_view>> all_ways() {
@@ -24,9 +30,7 @@ std::vector<std::vector<std::string_view>> all_ways() {
     each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
         std::vector<std::string_view>& keys = all.emplace_back();
         each_field(no_face, [&](std::string_view other, const auto&, const NumberFacts& its) {
-            if (other != name && (!facts.error || its.error != facts.error)) return;
-            keys.push_back(other);
-            keys.insert(keys.end(), its.words.begin(), its.words.end());
+            if (other == name || (facts.error && its.error == facts.error)) add_keys(other, its, keys);
         });
     });
     return all;
@@ -84,10 +88,8 @@ bool is_measured(const JointFace& face, std::string_view name) {
 const std::vector<std::string_view>& number_keys() {
     static const auto keys = [] {
         std::vector<std::string_view> all;
-        each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
-            all.push_back(name);
-            all.insert(all.end(), facts.words.begin(), facts.words.end());
-        });
+        each_field(no_face,
+                   [&](std::string_view name, const auto&, const NumberFacts& facts) { add_keys(name, facts, all); });
         return all;
     }();
     return keys;
@@ -129,9 +131,7 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
     if (!node->is_table()) source.refuse(*node, surface.key("errors"), "must be a table of standard errors");
     std::vector<std::string_view> keys;
     each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
-        if (!facts.error) return;
-        keys.push_back(name);
-        keys.insert(keys.end(), facts.words.begin(), facts.words.end());
+        if (facts.error) add_keys(name, facts, keys);
     });
     const Section errors(source, *node->as_table(), surface.key("errors"), keys);
     each_field(std::as_const(face), [&](std::string_view name, const auto&, const NumberFacts& facts) {

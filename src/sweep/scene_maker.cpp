@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep/scene_maker.hpp"
 
+#include "request/put_number.hpp"
 #include "scene/readers.hpp"
 #include "sweep/template.hpp"
 
@@ -26,17 +27,11 @@ bool is_measured(const toml::table& root) {
     return has(root, "surface.from") || has(root, "surface.upper") || has(root, "surface.lower");
 }
 
-/// Puts \p value into the number of \p owner called \p name, or by another word for it. \return whether it has one that
-/// may have this value.
+/// Puts \p value into the number of \p owner called \p name. \return whether it has one that may have this value.
 template <class Owner>
 bool put_number(Owner& owner, std::string_view name, double value) {
-    bool done = false;
-    each_field(owner, [&](std::string_view each, auto& to, const NumberFacts& facts) {
-        if (each != name && std::count(facts.words.begin(), facts.words.end(), name) == 0) return;
-        done = facts.holds(value);
-        to = value;
-    });
-    return done;
+    const auto facts = request::put_number(owner, name, value);
+    return facts && facts->holds(value);
 }
 
 /// The same at \p key of a scene, where the number enters as it is and no other one of \p root follows from it.
@@ -165,16 +160,14 @@ Scene SceneMaker::read(const std::vector<Value>& values) {
     RecentSurfaces::Key surface;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (grid_.axes[i].key.starts_with("surface.")) surface.emplace_back(values[i].place, values[i].number);
-    const auto with_surface =
-        surfaces_.get(surface, [&] { return std::make_shared<const Scene>(read_with(values, nullptr)); });
-    return read_with(values, with_surface.get());
+    std::shared_ptr<const Scene> own;
+    const auto first =
+        surfaces_.get(surface, [&] { return own = std::make_shared<const Scene>(read_with(values, nullptr)); });
+    return own ? *own : read_with(values, first.get());
 }
 
 bool SceneMaker::put(const std::vector<Value>& values, Work& work) const {
-    if (measured_ || work.made_for.empty()) return false;
-    const std::vector<detail::Peaks>& peaks = work.scene.joint.peaks;
-    if (peaks.size() > 1 && std::any_of(peaks.begin(), peaks.end(), [](const auto& each) { return each.of_surface; }))
-        return false;
+    if (work.made_for.empty()) return false;
     bool only_points = true;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Axis& axis = grid_.axes[i];
@@ -183,6 +176,10 @@ bool SceneMaker::put(const std::vector<Value>& values, Work& work) const {
         only_points = only_points && i == point_axis_;
     }
     if (only_points && folds_) return true;
+    const std::vector<detail::Peaks>& peaks = work.scene.joint.peaks;
+    if (measured_ ||
+        (peaks.size() > 1 && std::any_of(peaks.begin(), peaks.end(), [](const auto& each) { return each.of_surface; })))
+        return false;
     work.contacts.clear();  // before what they were made of
     try {
         resolve_anew(work.scene);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A number of a joint by its name, for those who have a name and a value: C and sweeps.
+
+#include <fstiff/answer/joint_fields.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+namespace fstiff::request {
+
+/// Puts \p value into the number of \p owner called \p name, or by another word for it, whatever its range.
+/// \return what is known of the number; none: there is no such one.
+template <class Owner>
+[[nodiscard]] std::optional<NumberFacts> put_number(Owner& owner, std::string_view name, double value) {
+    std::optional<NumberFacts> of;
+    each_field(owner, [&](std::string_view each, auto& to, const NumberFacts& facts) {
+        if (each != name && std::count(facts.words.begin(), facts.words.end(), name) == 0) return;
+        to = value, of = facts;
+    });
+    return of;
+}
+
+}  // namespace fstiff::request
