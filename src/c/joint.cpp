@@ -57,10 +57,10 @@ Body body_of(const fstiff_solid& from) {
             .hardness = known(from.hardness)};
 }
 
-/// Puts \p value into the number of \p joint at \p path, such as "face.alpha". Waves, friction and the other face begin
-/// to be there with a number. \return whether there is such a number.
+/// Puts \p value into the number of \p joint at \p path, such as "face.alpha". Waves, friction, the filling of the gap
+/// and the other face begin to be there with a number. \return whether there is such a number.
 bool take_number_at(Joint& joint, std::string_view path, double value) {
-    const std::size_t dot = path.find('.');
+    const std::size_t dot = path.rfind('.');
     const auto take = [value](auto& of, std::string_view name) {
         return request::put_number(of, name, value).has_value();
     };
@@ -72,7 +72,11 @@ bool take_number_at(Joint& joint, std::string_view path, double value) {
     if (owner == "upper") return take(joint.upper, name);
     if (owner == "lower") return take(joint.lower, name);
     if (owner == "waves") return take(begun(joint.waves), name);
+    if (owner == "waves.longitudinal") return take(begun(joint.waves).longitudinal, name);
+    if (owner == "waves.shear") return take(begun(begun(joint.waves).shear), name);
     if (owner == "friction") return take(begun(joint.friction), name);
+    if (owner == "interaction") return take(joint.interaction, name);
+    if (owner == "conduction.gap") return take(begun(joint.conduction.gap), name);
     return owner == "conduction" && take(joint.conduction, name);
 }
 

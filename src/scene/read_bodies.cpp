@@ -279,11 +279,10 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
 
 namespace {
 
-/// What [gap] holds.
+/// What [gap] holds next to the numbers of Conduction.
 struct Gap {
     std::string medium{};
-    std::optional<double> conductivity{}, temperature_jump{}, accommodation{}, temperature{}, emissivity{};
-    double thermal_film = 0, electrical_film = 0;
+    std::optional<double> accommodation{}, temperature{}, emissivity{};
 
     void each_field(auto take) {
         const Field share{.high = 1, .above_low = true};
@@ -291,12 +290,8 @@ struct Gap {
         for (const detail::NamedMedium& known : detail::named_media) names.push_back(known.name);
         take("medium", medium, Field{.words = names});
         take("accommodation", accommodation, share);
-        take("conductivity", conductivity, request::positive(Dimension::thermal_conductivity));
-        take("temperature_jump", temperature_jump, request::positive(Dimension::length));
         take("emissivity", emissivity, share);
         take("temperature", temperature, request::positive(Dimension::temperature));
-        take("thermal_film", thermal_film, request::positive(Dimension::thermal_film));
-        take("electrical_film", electrical_film, request::positive(Dimension::electrical_film));
     }
 };
 
@@ -304,30 +299,38 @@ struct Gap {
 
 void read_gap(Source& source, const toml::table& table, Scene& scene) {
     Gap gap;
+    GapFilling<double> filling;
+    Conduction& conduction = scene.given.conduction;
     const auto fields = [&](auto take) { gap.each_field(take); };
-    const Section section(source, table, "gap", request::keys_of(fields));
+    const auto numbers = [&](auto take) {
+        each_field(filling, take);
+        each_field(conduction, [&](std::string_view name, auto& value, const NumberFacts& facts) {
+            if (name.ends_with("_film")) take(name, value, facts);
+        });
+    };
+    std::vector<std::string_view> keys = request::keys_of(fields);
+    numbers([&](std::string_view name, auto&, const NumberFacts&) { keys.push_back(name); });
+    const Section section(source, table, "gap", keys);
     for (const std::string_view key : {"conductivity", "temperature_jump"})
         for (const std::string_view of_gas : {"medium", "accommodation"})
             if (section.find(key) && section.find(of_gas))
                 section.refuse(key, "must not be given with " + section.key(of_gas));
     section.read(fields);
+    numbers([&](std::string_view name, auto& value, const NumberFacts& facts) {
+        read_number(source, section, name, value, facts);
+    });
     if (gap.emissivity) static_cast<void>(section.at("temperature"));
-    Conduction& conduction = scene.given.conduction;
     if (!gap.medium.empty()) {
-        const auto& filling =
-            *std::find_if(detail::named_media.begin(), detail::named_media.end(),
-                          [&](const detail::NamedMedium& medium) { return medium.name == gap.medium; });
-        conduction.gap = {filling.gas.conductivity,
-                          detail::temperature_jump(filling.gas, gap.accommodation.value_or(filling.accommodation))};
-    } else if (gap.conductivity) {
-        conduction.gap = {*gap.conductivity, gap.temperature_jump.value_or(0)};
+        const auto& medium = *std::find_if(detail::named_media.begin(), detail::named_media.end(),
+                                           [&](const detail::NamedMedium& each) { return each.name == gap.medium; });
+        filling = {medium.gas.conductivity,
+                   detail::temperature_jump(medium.gas, gap.accommodation.value_or(medium.accommodation))};
     }
+    if (!gap.medium.empty() || section.find("conductivity")) conduction.gap = filling;
     if (gap.emissivity) {
         conduction.radiation = detail::radiative_conductance(*gap.temperature, *gap.emissivity);
         if (!conduction.gap) conduction.gap.emplace();
     }
-    conduction.thermal_film = gap.thermal_film;
-    conduction.electrical_film = gap.electrical_film;
 }
 
 void read_friction(Source& source, const toml::table& table, Scene& scene) {

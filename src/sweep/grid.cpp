@@ -64,6 +64,7 @@ std::optional<Dimension> dimension_of_key(std::string_view key) {
         for (const char* surface : {"surface", "surface.upper", "surface.lower"}) add(surface, JointFace());
         for (const char* body : {"material.upper", "material.lower"}) add(body, Body());
         add("contact", Joint()), add("friction", Friction()), add("ultrasound", UltrasonicWaves());
+        add("gap", GapFilling<double>()), add("gap", Conduction());
         return all;
     }();
     const auto entry = dimensions.find(key.substr(0, key.find('[')));

@@ -45,6 +45,8 @@ bool put_number_at(Scene& scene, const toml::table& root, std::string_view key, 
     if (section == "surface") return put_number(scene.given.face, name, value);
     if (section == "friction" && scene.given.friction) return put_number(*scene.given.friction, name, value);
     if (section == "ultrasound" && scene.given.waves) return put_number(*scene.given.waves, name, value);
+    if (section == "gap" && name.ends_with("_film")) return put_number(scene.given.conduction, name, value);
+    if (section == "gap" && scene.given.conduction.gap) return put_number(*scene.given.conduction.gap, name, value);
     const bool upper = section == "material.upper";
     if (!upper && section != "material.lower") return false;
     const bool leads =

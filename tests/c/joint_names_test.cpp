@@ -77,7 +77,7 @@ TEST_CASE("every number of a face, and every word for it, is a name in C", "[c]"
     });
 }
 
-TEST_CASE("waves, conduction and friction by names give the numbers of C++", "[c]") {
+TEST_CASE("waves, conduction, the gap and friction by names give the numbers of C++", "[c]") {
     Named joint;
     for (const auto& [name, number] : {std::pair("face.Ra", 0.8e-6),
                                        {"face.rms_gradient", 0.1},
@@ -93,10 +93,15 @@ TEST_CASE("waves, conduction and friction by names give the numbers of C++", "[c
                                        {"friction.coefficient", 0.2},
                                        {"friction.amplitude", 1e-8},
                                        {"conduction.thermal_film", 1e-9},
+                                       {"conduction.gap.conductivity", 0.03},
+                                       {"conduction.gap.temperature_jump", 1e-7},
+                                       {"waves.shear.incident", 25e6},
+                                       {"waves.shear.beyond", 20e6},
                                        {"upper.hardness", 2e9}})
         joint.add(name, number);
     const std::vector<const char*> keys{"stiffness_Pa_per_m", "reflection", "thermal_conductance_W_per_m2K",
-                                        "loss_factor", "force_N"};
+                                        "loss_factor",        "force_N",    "thermal_conductance_gap_W_per_m2K",
+                                        "shear_reflection"};
     std::vector<double> found;
     REQUIRE(joint.answer(keys, found) == FSTIFF_OK);
 
@@ -112,12 +117,16 @@ TEST_CASE("waves, conduction and friction by names give the numbers of C++", "[c
                .waves = UltrasonicWaves{.frequency = 5e6},
                .friction = Friction{0.2, 1e-8}};
     same.conduction.thermal_film = 1e-9;
+    same.conduction.gap = {0.03, 1e-7};
+    same.waves->shear = {25e6, 20e6};
     const AnswerPoint point = answer(same, 10e6, {.samples = 0});
     CHECK(found[0] == point.stiffness.value);
     CHECK(found[1] == point["reflection"]);
     CHECK(found[2] == point["thermal_conductance"]);
     CHECK(found[3] == point["loss_factor"]);
     CHECK(found[4] == point["force"]);
+    CHECK(found[5] == point["thermal_conductance_gap"]);
+    CHECK(found[6] == point["shear_reflection"]);
 }
 
 TEST_CASE("a name that no number has is refused, and NaN is not given", "[c]") {

@@ -27,7 +27,9 @@ std::string_view kind_of(std::string_view unit) {
     const std::map<std::string_view, std::string_view> kinds{
         {"1/m^2", "number per area"},  {"rad", "angle"},       {"Pa", "pressure"}, {"kg/m^3", "density"},
         {"m/s", "velocity"},           {"W/(m K)", "W/(m K)"}, {"S/m", "S/m"},     {"Hz", "frequency"},
-        {"Pa/m", "stiffness per area"}};
+        {"Pa/m", "stiffness per area"},
+        {"m^2 K/W", "mm^2 K/W"},
+        {"ohm m^2", "ohm um^2"}};
     return kinds.at(unit);
 }
 
@@ -148,16 +150,18 @@ TEST_CASE("every number of a face is a key, a record, a refusal, a suggestion, a
     CHECK(count == 16);
 }
 
-TEST_CASE("every number of bodies, waves and friction is a key, a refusal, an axis and a row of the page") {
+TEST_CASE("every number of bodies, waves, friction and the gap is a key, a refusal, an axis and a row of the page") {
     const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
-    const auto check = [&](const std::string& section, const auto& owner) {
+    const auto check = [&](const std::string& section, const auto& owner, std::string_view ends_with = "") {
         each_field(owner, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+            if (!name.ends_with(ends_with)) return;
             const std::string path = section + "." + std::string(name);
             INFO(path);
             const auto text = [&](const std::string& value) {
                 std::map<std::string, std::string> sections{{"material.upper", "name = \"steel\"\n"},
                                                             {"friction", "coefficient = 0.2\n"},
-                                                            {"ultrasound", "frequency = \"5 MHz\"\n"}};
+                                                            {"ultrasound", "frequency = \"5 MHz\"\n"},
+                                                            {"gap", "conductivity = \"0.03 W/(m K)\"\n"}};
                 std::string& own = sections.at(section);
                 if (own.starts_with(name)) own.clear();
                 own += std::string(name) + " = " + value + "\n";
@@ -187,6 +191,8 @@ TEST_CASE("every number of bodies, waves and friction is a key, a refusal, an ax
     check("material.upper", Body());
     check("friction", Friction());
     check("ultrasound", UltrasonicWaves());
+    check("gap", GapFilling<double>());
+    check("gap", Conduction(), "_film");
 }
 
 }  // namespace joint_fields_test

@@ -145,7 +145,7 @@ void each_field(B& body, const Take& take) {
          NumberFacts{.unit = "S/m", .help = "electrical conductivity, 0 of an insulator", .low_too = true});
 }
 
-/// Hands over the numbers of \p waves, UltrasonicWaves, but the impedances.
+/// Hands over the numbers of \p waves, UltrasonicWaves, but the impedances, which are fields of their own.
 template <detail::fields::Of<UltrasonicWaves> Waves, class Take>
 void each_field(Waves& waves, const Take& take) {
     take("frequency", waves.frequency, NumberFacts{.unit = "Hz", .help = "frequency of the waves"});
@@ -153,7 +153,34 @@ void each_field(Waves& waves, const Take& take) {
          NumberFacts{.unit = "Pa/m", .help = "stiffness of a fluid film, in addition to K", .low_too = true});
 }
 
-/// Hands over the numbers of \p conduction, Conduction, but those of the gap.
+/// Hands over the numbers of \p impedances, Impedances: 0 where both are of the bodies.
+template <detail::fields::Of<Impedances<double>> Media, class Take>
+void each_field(Media& impedances, const Take& take) {
+    constexpr std::string_view unit = "kg/(m^2 s)";
+    take("incident", impedances.incident,
+         NumberFacts{.unit = unit, .help = "impedance of the upper body", .low_too = true});
+    take("beyond", impedances.beyond,
+         NumberFacts{.unit = unit, .help = "impedance of the lower body", .low_too = true});
+}
+
+/// Hands over the numbers of \p filling, GapFilling.
+template <detail::fields::Of<GapFilling<double>> Filling, class Take>
+void each_field(Filling& filling, const Take& take) {
+    take("conductivity", filling.conductivity,
+         NumberFacts{.unit = "W/(m K)", .help = "thermal conductivity of the filling", .low_too = true});
+    take("temperature_jump", filling.temperature_jump,
+         NumberFacts{
+             .unit = "m", .help = "length of the temperature jump at both faces, 0 of a liquid", .low_too = true});
+}
+
+/// Hands over the number of \p interaction, Interaction.
+template <detail::fields::Of<Interaction<double>> I, class Take>
+void each_field(I& interaction, const Take& take) {
+    take("length", interaction.length,
+         NumberFacts{.unit = "m", .help = "length over which peaks interact", .low_too = true});
+}
+
+/// Hands over the numbers of \p conduction, Conduction, but those of the gap, a GapFilling.
 template <detail::fields::Of<Conduction> C, class Take>
 void each_field(C& conduction, const Take& take) {
     take("thermal", conduction.thermal, NumberFacts{.unit = "W/(m K)", .help = "thermal conductivity of both bodies"});

@@ -211,15 +211,11 @@ void require_fields(const Owner& owner) {
 FSTIFF_INLINE void require_surroundings(const Joint& joint) {
     if (joint.waves) {
         require_fields(*joint.waves);
-        for (const auto& media : {std::optional(joint.waves->longitudinal), joint.waves->shear})
-            if (media)
-                for (const double f : {media->incident, media->beyond})
-                    require(f >= 0 && std::isfinite(f), "impedance", f, "finite and greater than 0");
+        require_fields(joint.waves->longitudinal);
+        if (joint.waves->shear) require_fields(*joint.waves->shear);
     }
     require_fields(joint.conduction);
-    if (const auto& gap = joint.conduction.gap)
-        for (const double f : {gap->conductivity, gap->temperature_jump})
-            require(f >= 0 && std::isfinite(f), "gap", f, "finite and not negative");
+    if (joint.conduction.gap) require_fields(*joint.conduction.gap);
     if (joint.friction) require_fields(*joint.friction);
 }
 
