@@ -50,7 +50,8 @@ std::string crop_at_step(const Surface<double>& parameters) {
     return text;
 }
 
-/// A sentence on the parabola or the step that is most of the mean square height of \p parameters, and on what removes
+/// A sentence on the parabola or the step that is most of the mean square height of \p parameters, or on a bow of a
+/// plateau, and on what removes
 /// it; empty where there is none.
 std::string form_warning(const Surface<double>& parameters, const SurfaceOptions& options) {
     const PlainForm<double>& form = parameters.plain_form;
@@ -62,6 +63,11 @@ std::string form_warning(const Surface<double>& parameters, const SurfaceOptions
                (parameters.profile ? "parabola" : "quadratic surface") + "; " +
                option("detrend", parameters.profile ? "parabola" : "quadratic") + ", or of a round part " +
                (parameters.profile ? "\"circle\"" : "\"sphere\" or \"cylinder\"") + ", removes it";
+    if (form.is_bow())
+        return document::shown_percent(form.parabola) +
+               " of the mean square height bends the plateau, so that a part of it carries first; " +
+               option("detrend", parameters.profile ? "parabola" : "quadratic") +
+               " removes it where it is not of the face";
     if (!form.is_step()) return "";
     const bool straight = (form.along_x || form.along_y) && options.crop.empty();
     return document::shown_percent(form.step) + " of the mean square height is one step" +

@@ -330,10 +330,15 @@ fstiff::MeasureOptions<double> options_for_map(const SurfaceOptions& options, co
     });
 }
 
+constexpr const char* upper_half = " through the points above the median";
+
 std::string form_name(const LevelledProfile<double>& levelled) {
-    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed));
+    return std::string(levelled.cutoff ? gaussian_form : name_of(levelled.removed)) +
+           (levelled.settled ? upper_half : "");
 }
-std::string form_name(const LevelledMap<double>& levelled) { return std::string(name_of(levelled.removed)); }
+std::string form_name(const LevelledMap<double>& levelled) {
+    return std::string(name_of(levelled.removed)) + (levelled.settled ? upper_half : "");
+}
 
 std::string radius_clause(double radius) {
     return radius == 0

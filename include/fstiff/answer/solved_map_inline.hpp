@@ -90,7 +90,7 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
         return through([&](const State& state) { return std::log((std::max)((state.*member).value, least)); });
     };
     const RisingCurve K = log_through(&State::stiffness), area = log_through(&State::real_area_fraction),
-                      loading = log_through(&State::loading_stiffness),
+                      density = log_through(&State::contact_density), loading = log_through(&State::loading_stiffness),
                       error = through([](const State&state) { return state.stiffness.error / state.stiffness.value; }),
                       gap = through([](const State&state) { return state.separation.value; });
     LawCurve curve{.law = solved.law,
@@ -105,6 +105,7 @@ FSTIFF_INLINE void interpolate(const std::vector<ElementPoint>& nodes, const std
         state.stiffness = {std::exp(K.at(x)), 0};
         state.stiffness.error = error.at(x) * state.stiffness.value;
         state.real_area_fraction.value = std::exp(area.at(x));
+        state.contact_density.value = std::exp(density.at(x));
         state.loading_stiffness.value = (std::min)(std::exp(loading.at(x)), state.stiffness.value);
         curve.places.push_back(point.place);
     }
@@ -205,7 +206,7 @@ FSTIFF_INLINE std::vector<double> spread_without_noise(const ResolvedJoint& prob
 
 /// Changes of K of \p solved that the filter of a lambda_s that was given, and the removed plane may have caused: the
 /// filter by the neighbour with the next shorter lambda_s, as its change goes as lambda_s^2; the plane where it may be
-/// the surface's own.
+/// the surface's own, and where that of least squares gives another K.
 FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const ResolvedJoint& problem, const LawCurve& solved,
                                                                   double hardness, const ParallelHook& parallel,
                                                                   const ProgressHook& progress) {
@@ -224,14 +225,29 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const Resolved
             ratio < 1 && !problem.face.filtered && other.map)
             widen(*other.map->maps.front(), 1 / (1 - ratio * ratio), false);
     const PreparedMap<double>& flat = *problem.face.measured->map;
-    const auto [x, y] = flat.tilt;
-    const double tilted = std::hypot(x, y) / std::sqrt(12.0) / problem.face.parameters.rms_height.value;
-    if (flat.removed != MapForm::plane || !(tilted > 0)) return causes;
-    const double share = (std::min)(1.0, problem.face.parameters.long_end.form_share / tilted);
-    HeightMap<double> map = *problem.face.map->maps.front();
-    map.heights.rowwise() += share * Eigen::ArrayXd::LinSpaced(map.columns(), -x / 2, x / 2).transpose();
-    map.heights.colwise() += share * Eigen::ArrayXd::LinSpaced(map.rows(), -y / 2, y / 2);
-    widen(map, 1, share < 0.99);
+    const double sigma = problem.face.parameters.rms_height.value;
+    const auto rms_of = [](const std::array<double, 2>& tilt) {
+        return std::hypot(tilt[0], tilt[1]) / std::sqrt(12.0);
+    };
+    const auto tilted = [&](const std::array<double, 2>& tilt, double share) {
+        HeightMap<double> map = *problem.face.map->maps.front();
+        const double x = share * tilt[0] / 2, y = share * tilt[1] / 2;
+        map.heights.rowwise() += Eigen::ArrayXd::LinSpaced(map.columns(), -x, x).transpose();
+        map.heights.colwise() += Eigen::ArrayXd::LinSpaced(map.rows(), -y, y);
+        return map;
+    };
+    if (flat.removed != MapForm::plane) return causes;
+    if (const double whole = rms_of(flat.tilt) / sigma; whole > 0) {
+        const double share = (std::min)(1.0, problem.face.parameters.long_end.form_share / whole);
+        widen(tilted(flat.tilt, share), 1, share < 0.99);
+    }
+    if (!flat.settled || rms_of(*flat.settled) < 0.02 * sigma) return causes;
+    // half of what the plane of least squares makes of K, where that is more than the rest
+    const std::vector<double> askew = changes(problem, tilted(*flat.settled, 1), solved, hardness, parallel, progress);
+    for (std::size_t i = 0; i < causes.size(); ++i) {
+        double& end = askew[i] < 0 ? causes[i].low : causes[i].high;
+        if (std::abs(askew[i]) > std::abs(end)) end = std::copysign(std::hypot(end, askew[i] / 2), askew[i]);
+    }
     return causes;
 }
 

@@ -37,6 +37,8 @@ namespace fstiff { inline namespace v0_1 {
 ///     parameter_unknown    the standard error of sigma, R, D_p, D, r or theta exceeds half the value
 ///     form, step           one parabola (of a map: a quadratic surface) or one step is more than half of the mean
 ///                          square height: sigma is that of a part and not of its roughness
+///     bowed                a plateau with valleys has more than 5 % of its mean square height in one parabola: the
+///                          middle or the edges of a form carry first
 ///     scan_lines           lines of a map have offsets (topography/scan_lines.hpp): K may be off by a factor of two
 ///     implausible_gradient the rms gradient is above 1 or below 1e-6: a unit of length is likely wrong
 enum class MeasuredConcern {
@@ -55,6 +57,7 @@ enum class MeasuredConcern {
     parameter_unknown,
     form,
     step,
+    bowed,
     scan_lines,
     implausible_gradient
 };
@@ -76,6 +79,7 @@ inline constexpr auto enum_names<MeasuredConcern> = detail::name_list<MeasuredCo
     {MeasuredConcern::parameter_unknown, "parameter_unknown"},
     {MeasuredConcern::form, "form"},
     {MeasuredConcern::step, "step"},
+    {MeasuredConcern::bowed, "bowed"},
     {MeasuredConcern::scan_lines, "scan_lines"},
     {MeasuredConcern::implausible_gradient, "implausible_gradient"},
 });
@@ -153,7 +157,7 @@ template <Real T>
 }
 
 /// Concerns curved, anisotropic, lay, long_waves, few_peaks, radius_uncertain, density_uncertain, no_densest_level,
-/// parameter_unknown, form, step and scan_lines.
+/// parameter_unknown, form, step, bowed and scan_lines.
 template <Real T>
 [[nodiscard]] std::vector<MeasuredConcern> concerns_of(const SurfaceParameters<T>& surface) {
     std::vector<MeasuredConcern> concerns;
@@ -166,6 +170,7 @@ template <Real T>
     if (!unknown_parameters(surface).empty()) concerns.push_back(MeasuredConcern::parameter_unknown);
     if (surface.plain_form.is_parabola()) concerns.push_back(MeasuredConcern::form);
     if (surface.plain_form.is_step()) concerns.push_back(MeasuredConcern::step);
+    if (surface.plain_form.is_bow()) concerns.push_back(MeasuredConcern::bowed);
     if (surface.offset_lines != ScanAxis::automatic) concerns.push_back(MeasuredConcern::scan_lines);
     return concerns;
 }

@@ -233,7 +233,10 @@ template <Real T>
             auto how = parameter_options(chosen, *prepared, degree);
             how.structure = structure ? &*structure : nullptr, how.autocorrelation = &acf;
             auto result = surface_parameters<T>(static_cast<const LevelledProfile<T>&>(*prepared), how);
-            if (chosen.texture && chosen.form > Form::mean) result.plain_form = detail::plain_form(flat, degree);
+            if (chosen.texture && chosen.form > Form::mean) {
+                result.plain_form = detail::plain_form(flat, degree);
+                result.plain_form.plateau = prepared->settled;
+            }
             return result;
         };
         Surface<T> surface = surface_of(prepared->cut_offs, prepared->rms_gradient, chosen.parallel, parameters,
@@ -260,6 +263,7 @@ template <Real T>
         run_pieces(options.parallel, options.texture ? 2 : 1, [&](std::size_t i) {
             if (i == 0) return void(result = surface_parameters<T>(static_cast<const LevelledMap<T>&>(*prepared), how));
             if (degree > 0) of_map.plain_form = detail::plain_form(flat, degree);
+            of_map.plain_form.plateau = prepared->settled.has_value();
             std::tie(of_map.offset_lines, of_map.line_step) = line_offsets(*without_form.unfiltered);
         });
         result.plain_form = of_map.plain_form, result.offset_lines = of_map.offset_lines;

@@ -33,8 +33,11 @@ struct PlainForm {
     T parabola{}, step{};       ///< shares of the mean square height
     T place{};                  ///< of a step along x or y [m]
     bool along_x{}, along_y{};  ///< the step is passed along x, along y; neither: at an angle
+    bool plateau{};             ///< the heights are a plateau with valleys (math/upper_half.hpp)
 
     [[nodiscard]] bool is_parabola() const { return parabola > T(0.5) && parabola >= step; }
+    /// A parabola bends a plateau, whose roughness is small: its middle or its edges carry first.
+    [[nodiscard]] bool is_bow() const { return plateau && parabola > T(0.05) && !is_parabola() && !is_step(); }
     [[nodiscard]] bool is_step() const { return step > T(0.5) && step > parabola; }
 };
 

@@ -10,6 +10,7 @@
 /// Valid       as detrend(), gaussian_low_pass() and gaussian_roughness()
 /// Accuracy    that of detrend() and gaussian_roughness() (tests/profile/level_test.cpp)
 
+#include <fstiff/math/upper_half.hpp>
 #include <fstiff/profile/gaussian_filter.hpp>
 #include <fstiff/profile/profile_form.hpp>
 
@@ -21,6 +22,7 @@ struct LevelledProfile {
     Profile<T> profile;
     Form removed = Form::none;
     T radius{};                   ///< of a removed circle [m], below 0 where it is hollow
+    bool settled = false;         ///< the line or parabola is that of the upper half (math/upper_half.hpp)
     std::optional<T> cutoff{};    ///< of the Gaussian filter that belongs to the form and took its long waves [m]
     std::optional<T> lambda_s{};  ///< of the filter that then took the short waves [m]
     std::optional<T> lambda_c{};  ///< and of the one that took the long ones, of without_waviness() [m]
@@ -35,7 +37,7 @@ struct LevelledProfile {
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-/// Removes the \p form of \p profile, then, with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness
+/// Removes the \p form of \p profile, a line or a parabola by its upper half where it is a plateau with valleys, then, with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness
 /// of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0 where it is
 /// not known. A \p radius [m] above 0 is that of the circle. \throws domain_error as detrend(), remove_circle(),
 /// gaussian_low_pass() and gaussian_roughness(), and for a profile that
@@ -51,6 +53,10 @@ template <Real T>
                             .cutoff = cutoff,
                             .lambda_s = lambda_s};
     if (form == Form::circle) flat.radius = remove_circle(flat.profile, radius);
+    if (form == Form::line || form == Form::parabola)
+        flat.settled = math::settle_on_upper_half(flat.profile.heights.data(), 1,
+                                                  static_cast<Eigen::Index>(profile.size()), form == Form::line ? 1 : 2)
+                           .has_value();
     if (form != Form::none)
         math::require_more_than_rounding<T>("profile", name_of(form), profile.heights.data(),
                                             flat.profile.heights.data(), profile.size(), resolution);

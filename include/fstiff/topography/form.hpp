@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Removal of the form of a map: its mean, a least-squares plane, quadratic or cubic surface, sphere or cylinder.
+/// Removal of the form of a map: its mean, a plane, quadratic or cubic surface, sphere or cylinder of least squares.
 ///
 ///     form = sum of c_kl P_k(u) P_l(v),  k + l <= degree,  u, v in [-1, 1] over the map, P_k Legendre's polynomials
 ///
@@ -18,11 +18,13 @@
 #include <fstiff/math/round_fit.hpp>
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/tukey.hpp>
+#include <fstiff/math/upper_half.hpp>
 #include <fstiff/topography/height_map.hpp>
 
 #include <Eigen/SparseCholesky>
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -47,6 +49,8 @@ struct LevelledMap {
     std::shared_ptr<const HeightMap<T>> unfiltered{};
     T lambda_c{};             ///< of the filter of the long waves [m]; 0: none
     std::array<T, 2> tilt{};  ///< of the form along x and y, last point less first [m]; NaN: a corner is missing
+    /// Of the polynomial through the upper half over that of least squares [m], where it took its place.
+    std::optional<std::array<T, 2>> settled{};
 
     /// Map for the structure functions.
     [[nodiscard]] const HeightMap<T>& of_structure() const { return unfiltered ? *unfiltered : map; }
@@ -180,7 +184,8 @@ T remove_round_form(HeightMap<T>& map, MapForm form, std::type_identity_t<T> rad
     return static_cast<T>(unit / round.curvature());
 }
 
-/// \p map levelled, with the removed form. \p resolution [m] is the step in which the heights were printed or counted;
+/// \p map levelled, with the removed form; a plane or a quadratic surface is that of the upper half where least squares
+/// would follow valleys (math/upper_half.hpp). \p resolution [m] is the step in which the heights were printed or counted;
 /// 0 where it is not known; a \p radius [m] above 0 is that of the sphere or cylinder. \throws domain_error as
 /// remove_form(), remove_round_form(), and for a map that is constant, apart from rounding, after the removal of its
 /// form.
@@ -189,6 +194,8 @@ template <Real T>
                                    std::type_identity_t<T> radius = 0) {
     LevelledMap<T> flat{detail::is_round(form) ? map : remove_form(map, form), form};
     if (detail::is_round(form)) flat.radius = remove_round_form(flat.map, form, radius);
+    if (form == MapForm::plane || form == MapForm::quadratic)
+        flat.settled = math::settle_on_upper_half(flat.map.heights.data(), map.rows(), map.columns(), degree_of(form));
     const auto removed = [&](Eigen::Index j, Eigen::Index i) { return map.heights(j, i) - flat.map.heights(j, i); };
     flat.tilt = {removed(0, map.columns() - 1) - removed(0, 0), removed(map.rows() - 1, 0) - removed(0, 0)};
     if (form != MapForm::none)
