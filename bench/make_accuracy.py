@@ -11,7 +11,7 @@
 K by boundary elements is kept in bench/answer_truth.csv and solved where it is not there: some ten minutes of one core. The maps
 repeat themselves, have 256 points a side every 0.5 um (those of a broad spectrum 512), and an rms gradient of 0.1; traces of 1,024
 points are of maps four times as wide (of a broad spectrum twice). The command gets files and its defaults, E and nu of steel,
-edges = "periodic" with a map, and an infinite hardness where the truth is elastic, or the one with which it was solved. The faces of
+edges = "periodic" and measured = "whole" with a map, and an infinite hardness where the truth is elastic, or the one with which it was solved. The faces of
 bench/make_faces.py, whose truth is bench/face_truth.csv, have no nominal area.
 """
 import argparse
@@ -112,7 +112,7 @@ class Answers:
     def surfaces(self, kind, heights, points, size, file, folder):
         """What is known, the lines of [surface], and the nominal area where it must be said."""
         if size == 1:
-            yield "map", [f'from = "{file}"'], None
+            yield "map", [f'from = "{file}"', 'measured = "whole"'], None
             mean = statistics.fmean(heights)
             moment = lambda n: statistics.fmean((z - mean) ** n for z in heights)
             rms, area = math.sqrt(moment(2)), (points * STEP) ** 2
@@ -152,7 +152,7 @@ def measure_faces(build):
         height, gradient = f'rms_height = "{rms:.6g} m"', f"rms_gradient = {GRADIENT}"
         with tempfile.TemporaryDirectory(dir=answers.folder) as folder:
             faces.write_field(z, os.path.join(folder, "map.gsf"))
-            known = [("map", [f'from = "{folder}/map.gsf"']),
+            known = [("map", [f'from = "{folder}/map.gsf"', 'measured = "whole"']),
                      ("height, gradient and shape", [height, gradient, f"skewness = {max(-3, min(3, skewness)):.5g}",
                                                      f"kurtosis = {kurtosis:.5g}"]),
                      ("height and gradient", [height, gradient]), ("height", [height])]

@@ -34,7 +34,8 @@ enum {
     FSTIFF_PROCESS_LAPPED = 5,
     FSTIFF_PROCESS_POLISHED = 6,
     FSTIFF_PROCESS_BLASTED = 7,
-    FSTIFF_PROCESS_ERODED = 8
+    FSTIFF_PROCESS_ERODED = 8,
+    FSTIFF_PROCESS_SUPERFINISHED = 9
 };
 
 /** Standard errors of numbers of a face; 0: that of the measurement, or none. */

@@ -41,6 +41,15 @@ def _solid(given: Solid, which: str) -> tuple[str, dict[str, float]]:
     return name, made
 
 
+def _of_face(value: Any, name: str) -> Numbers:
+    """A number of a face, or what is true or false of it."""
+    import numpy as np
+
+    if name in ("worn", "whole") and np.asarray(value).dtype.kind == "b":
+        value = np.asarray(value, dtype=np.int8)
+    return numbers(value, name)
+
+
 def _face(
     given: Mapping[str, Numbers], measured: list[Measurement], process: str | None, shape: tuple[int, ...]
 ) -> _core.Face:
@@ -119,7 +128,7 @@ def answer(
     import numpy as np
 
     require_known(numbers_of_face, tuple(FACE))
-    own = {name: numbers(value, name) for name, value in numbers_of_face.items() if value is not None}
+    own = {name: _of_face(value, name) for name, value in numbers_of_face.items() if value is not None}
     several = isinstance(surface, (list, tuple))
     given_surfaces: Any = surface if several else [] if surface is None else [surface]
     measured = [measured_of(one) for one in given_surfaces]
@@ -133,7 +142,7 @@ def answer(
     for one in measured:
         if not isinstance(one, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(one).__name__}")
-    of_other = {name: numbers(value, name) for name, value in of_other.items()}
+    of_other = {name: _of_face(value, name) for name, value in of_other.items()}
     shapes = [values.shape for of in (own, of_other) for values in of.values()]
     if several:
         shapes.append((len(measured),))

@@ -244,6 +244,10 @@ nb::dict names_of(const Owner& owner) {
         for (const std::string_view word : facts.words)
             names[text(word)] = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
     });
+    if constexpr (std::is_same_v<Owner, JointFace>)
+        each_flag(owner, [&](std::string_view name, bool, std::string_view help) {
+            names[text(name)] = nb::make_tuple(text(""), text("true: " + std::string(help)), text(name));
+        });
     return names;
 }
 

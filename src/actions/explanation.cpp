@@ -99,6 +99,9 @@ std::string source_of(const detail::ResolvedJoint& joint, const Answer& answer) 
     else if (has_lay(joint))
         text = "The profile repeats itself, like one across a lay: K may be up to " +
                document::rounded(detail::lay_factor) + " times higher; only a map shows this";
+    if (answer.long_waves < 0.95)
+        text += (text.empty() ? "Longer" : "; longer") + std::string(" waves of a face of this size lower K to ") +
+                document::rounded(answer.long_waves, 2) + " of that of what was measured";
     return text.empty() ? text : text + ".";
 }
 
@@ -106,7 +109,9 @@ std::string source_of(const detail::ResolvedJoint& joint, const Answer& answer) 
 std::string words_of(const Answer::Next& next, const detail::ResolvedJoint& problem) {
     const bool lay = detail::prior_of(rough_faces(problem).front()->process).has_lay;
     if (!next.which && !measured_faces(problem).front()->measured->is_profile) return "four times the area";
-    if (!next.which) return lay || has_lay(problem) ? "a map" : "four times the length";
+    const std::size_t traces = (std::max)(std::size_t(1), measured_faces(problem).front()->measured->parts.size());
+    if (!next.which)
+        return lay || has_lay(problem) ? "a map" : std::to_string(3 * traces) + " more traces at other places";
     const auto what = [&]() -> std::string {
         switch (*next.which) {
             case Unknown::height: return "Rq or Sq";

@@ -11,12 +11,12 @@
 namespace fstiff::c {
 namespace {
 
-static_assert(FSTIFF_PROCESS_ERODED == static_cast<int>(Process::eroded));
+static_assert(FSTIFF_PROCESS_SUPERFINISHED == static_cast<int>(Process::superfinished));
 static_assert(FSTIFF_INTERACTION_AS_PRINTED == static_cast<int>(InteractionReading::as_printed));
 
 JointFace face_of(const fstiff_face* given, const char* name, bool with_band) {
     const fstiff_face from = taken(given, name);
-    if (from.process < FSTIFF_PROCESS_UNKNOWN || from.process > FSTIFF_PROCESS_ERODED)
+    if (from.process < FSTIFF_PROCESS_UNKNOWN || from.process > FSTIFF_PROCESS_SUPERFINISHED)
         refuse_argument("process", from.process, "one of FSTIFF_PROCESS_...");
     const fstiff_face_errors& errors = from.errors;
     JointFace face{.rms_height = known(from.rms_height),
@@ -66,9 +66,12 @@ bool take_number_at(Joint& joint, std::string_view path, double value) {
     };
     if (dot == path.npos) return take(joint, path);
     const std::string_view owner = path.substr(0, dot), name = path.substr(dot + 1);
+    const auto take_of_face = [&](JointFace& face) {
+        return take(face, name) || request::put_flag(face, name, value != 0);
+    };
     const auto begun = [](auto& part) -> auto& { return part ? *part : part.emplace(); };
-    if (owner == "face") return take(joint.face, name);
-    if (owner == "other") return take(begun(joint.other), name);
+    if (owner == "face") return take_of_face(joint.face);
+    if (owner == "other") return take_of_face(begun(joint.other));
     if (owner == "upper") return take(joint.upper, name);
     if (owner == "lower") return take(joint.lower, name);
     if (owner == "waves") return take(begun(joint.waves), name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A number of a joint by its name, for those who have a name and a value: C and sweeps.
+// A number or a flag of a joint by its name, for those who have a name and a value: C and sweeps.
 
 #include <fstiff/answer/joint_fields.hpp>
 
@@ -20,6 +20,15 @@ template <class Owner>
         to = value, of = facts;
     });
     return of;
+}
+
+/// The same with what is true or false of \p face. \return whether there is such a flag.
+[[nodiscard]] inline bool put_flag(JointFace& face, std::string_view name, bool value) {
+    bool known = false;
+    each_flag(face, [&](std::string_view each, bool& to, std::string_view) {
+        if (each == name) to = value, known = true;
+    });
+    return known;
 }
 
 }  // namespace fstiff::request

@@ -104,7 +104,7 @@ void record_measured(Source& source, const surface::MeasuredSurface& measured, c
 /// The keys of a face in \p table.
 std::vector<std::string_view> keys_of_face(const toml::table& table) {
     std::vector<std::string_view> keys = number_keys();
-    for (const std::string_view key : {"from", "errors", "process"}) keys.push_back(key);
+    for (const std::string_view key : {"from", "errors", "process", "worn", "measured"}) keys.push_back(key);
     for (const std::string_view key : bearing_keys()) keys.push_back(key);
     if (table.contains("from"))
         for (const surface::SurfaceOptionRow& row : surface::surface_option_table()) keys.push_back(row.key);
@@ -166,6 +166,18 @@ Process read_process(Source& source, const toml::node& node, const std::string& 
     return *process;
 }
 
+/// The process of \p face, whether it is worn, and what part of it was measured, of \p surface, the section \p path.
+void read_origin(Source& source, const toml::table& surface, const std::string& path, JointFace& face, Scene& scene) {
+    if (const toml::node* node = surface.get("process"))
+        face.process = read_process(source, *node, path + ".process", scene);
+    if (const toml::node* node = surface.get("worn")) source.read(*node, path + ".worn", face.worn, {});
+    const toml::node* node = surface.get("measured");
+    if (!node) return;
+    constexpr std::array<std::string_view, 2> parts{"piece", "whole"};
+    face.whole = source.choice(*node, path + ".measured", parts) == 1;
+    if (!face.measured) source.refuse(*node, path + ".measured", "needs a measured map, " + path + ".from");
+}
+
 /// Reads the section \p path, the next face of \p scene.
 detail::Face read_face(Source& source, const toml::table& table, const std::string& path, Scene& scene,
                        const ProgressHook& progress) {
@@ -178,8 +190,7 @@ detail::Face read_face(Source& source, const toml::table& table, const std::stri
         record_measured(source, *measured, path);
         given.measured = measured_face(found_of(measured));
     }
-    if (const toml::node* node = surface.find("process"))
-        given.process = read_process(source, *node, surface.key("process"), scene);
+    read_origin(source, table, path, given, scene);
     const std::vector<Following> following = read_numbers(source, surface, given);
     if (const toml::node* node = surface.find("Ra"); node && request::mean_height_of_grade(written(*node)))
         scene.assumptions.push_back(label_of(surface.key("Ra")) + "Ra " + document::shown_length(*given.mean_height) +
@@ -214,14 +225,14 @@ Measured measured_of(Source& source, const std::string& file, const ProgressHook
 
 }  // namespace
 
-void take_surface(Source& source, const SceneSource& from, const toml::node* process, Scene& scene) {
+void take_surface(Source& source, const SceneSource& from, const toml::table* surface, Scene& scene) {
     const Measured measured = from.measured ? std::make_shared<const surface::MeasuredSurface>(*from.measured)
                                             : measured_of(source, from.surface, from.progress);
     source.record("surface.from", from.measured ? measured->file + " (measured before)"
                                                 : document::display_name(from.surface) + " (--surface)");
     record_measured(source, *measured, "surface");
     JointFace given{.measured = measured_face(found_of(measured))};
-    if (process) given.process = read_process(source, *process, "surface.process", scene);
+    if (surface) read_origin(source, *surface, "surface", given, scene);
     scene.joint.face = detail::face_of(given);
     scene.measured = {measured};
 }

@@ -246,7 +246,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     } else if (!replaced) {
         read_surface(source, top.subtable("surface"), scene, from.progress);
     } else {
-        take_surface(source, from, root["surface"]["process"].node(), scene);
+        take_surface(source, from, root["surface"].as_table(), scene);
         // no longer what the scene was named for
         const std::string& measured = scene.measured.front()->file;
         scene.name = measured.find(',') == std::string::npos

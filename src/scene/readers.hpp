@@ -31,8 +31,9 @@ struct Source : request::Source {
 /// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.
 [[nodiscard]] Scene read_table(const toml::table& root, const SceneSource& from, bool builtin = false);
 
-/// Takes what was measured, or the file that --surface names, in place of [surface], of which \p process stays.
-void take_surface(Source& source, const SceneSource& from, const toml::node* process, Scene& scene);
+/// Takes what was measured, or the file that --surface names, in place of \p surface, of which the process, the wear and
+/// what part of the face was measured stay.
+void take_surface(Source& source, const SceneSource& from, const toml::table* surface, Scene& scene);
 /// Reads [surface] into \p scene, or its two faces.
 void read_surface(Source& source, const toml::table& table, Scene& scene, const ProgressHook& progress);
 /// The bodies of \p table, steel where there is none, and the waves that meet the contact.

@@ -62,8 +62,10 @@ std::string phrase_of(const detail::Prior& prior, const detail::Face& face) {
         }
         return "";
     };
-    const std::string of_process =
-        face.process == Process::unknown ? "of any process" : "of a " + std::string(name_of(face.process)) + " face";
+    const std::string worn = face.worn ? "worn " : "", process(name_of(face.process)),
+                      of_process = face.process != Process::unknown ? "of a " + worn + process + " face"
+                                   : face.worn                      ? "of a worn face"
+                                                                    : "of any process";
     const auto from = [&]() -> std::string {
         switch (prior.origin) {
             case Origin::islands: return "of peak_radius and peak_density as those of islands";

@@ -147,6 +147,7 @@ struct Answer : AnswerCurve {
     std::string refusal{};                      ///< why no law answers, next to laws; there are no points then
     std::size_t failed = 0;                     ///< most surfaces drawn for the bands of the laws that lack a K
     bool flows = false;                         ///< the peaks yield: K is that of unloading, of vibration and waves
+    double long_waves = 1;                      ///< factor of K for waves longer than the measured piece; 1: none
     bool of_map_itself = false;                 ///< the contact is the measured map, and no other piece of the surface
     std::optional<double> relative_hardness{};  ///< H/(E g), where both are known
     std::vector<AssumedNumber> assumed{};       ///< that the law of the answer depends on

@@ -44,9 +44,11 @@ FSTIFF_INLINE double measured_side(const ResolvedJoint& problem) {
     return least;
 }
 
+/// Whether the contact is the measured map: it is the whole face, or the nominal area is no larger.
 FSTIFF_INLINE bool is_map_itself(const ResolvedJoint& problem) {
     return is_map(problem.face) &&
-           (!problem.nominal_area || *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area());
+           (problem.nominal_area ? *problem.nominal_area <= (1 + 1e-6) * problem.face.map->maps.front()->area()
+                                 : problem.face.whole);
 }
 
 /// The area [m^2] on which contacts are counted: the nominal one, else a square as long as what was measured; 0: not
@@ -101,6 +103,7 @@ FSTIFF_INLINE CauseSpread<double> law_error(const ResolvedJoint& problem, LawKin
                                             double grid) {
     LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
+    question.alpha_known = !problem.face.is_open(Unknown::alpha);
     const HeightShape<double> shape = farthest_shape(problem.face);
     if (const auto& heights = problem.face.heights; heights && heights->kurtosis.value != 0)
         question.skewness = heights->skewness, question.kurtosis = heights->kurtosis;
@@ -158,6 +161,7 @@ FSTIFF_INLINE void hand_over(const ResolvedJoint& problem, const Solved& to, std
     take(&ContactState<double>::stiffness);
     take(&ContactState<double>::loading_stiffness);
     take(&ContactState<double>::real_area_fraction);
+    if (to.state.contact_density.value > 0) take(&ContactState<double>::contact_density);
     from.separation.value = std::lerp(from.separation.value, to.state.separation.value, to.weight);
     if (!curve.separation_at_seating.empty() && to.separation_at_seating)
         curve.separation_at_seating[i] =
@@ -169,6 +173,16 @@ struct LightLoad {
     double pressure = 0;
     std::optional<double> log_high{}, log_stiffness{};  ///< ln of end over K, and of K; -infinity: there is no K
 };
+
+/// The state \p i of \p curve with the waves that the measurement has not, which raise sigma and the gap by 1/\p factor and
+/// leave the gradient: at one pressure K is less by the factor.
+FSTIFF_INLINE void lower_by_long_waves(double factor, std::size_t i, LawCurve& curve) {
+    if (factor == 1) return;
+    ContactState<double>& state = curve.states[i];
+    for (Estimate<double>* K : {&state.stiffness, &state.loading_stiffness}) K->value *= factor, K->error *= factor;
+    state.separation.value /= factor;
+    if (i < curve.separation_at_seating.size()) curve.separation_at_seating[i] /= factor;
+}
 
 /// The upper ends that the error of a law gives under light loads: it grows towards them, of bounded heights faster
 /// than K falls, but what K is not above under more pressure it is not above under less.
@@ -251,6 +265,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
     const UnmeasuredWaves<double> longer = problem.face.unmeasured(problem.nominal_area    ? std::sqrt(area)
                                                                    : is_of_traces(problem) ? length
                                                                                            : 0);
+    if (!request.at_separations) facts.long_waves = std::exp(-longer.expected);
     facts.waves_at_least = longer.at_least && problem.nominal_area.has_value();
     const bool solves = request.solves_map && is_map(problem.face);
     const std::vector<Solved> of_place = solves
@@ -276,7 +291,8 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
         put(Cause::lay, of_lay(problem));
         if (reason.contacts && !facts.of_map_itself)
             put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
-        put(Cause::long_waves, {-longer.growth, 0});
+        const double expected = -std::log(facts.long_waves);
+        put(Cause::long_waves, {-((std::max)(longer.growth - expected, expected)), expected});
         CauseSpread<double> of_law = law_error(problem, curve.law->which, reason);
         const double log_K = std::log(curve.states[i].stiffness.value);
         const double log_end = light.greatest(curve.states[i].pressure.value, log_K, log_K + of_law.high);
@@ -286,6 +302,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
         if (solved.weight > 0) hand_over(problem, solved, i, curve, reason);
         if (facts.of_map_itself && problem.face.map->maps.size() > 1)
             put(Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
+        lower_by_long_waves(facts.long_waves, i, curve);
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
         loading = facts.flows ? (std::min)(loading, K) : K;

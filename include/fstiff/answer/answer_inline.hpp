@@ -144,10 +144,18 @@ FSTIFF_INLINE Request request_of(const ResolvedJoint& joint, std::span<const dou
     return request;
 }
 
+/// Whether the contacts of an answer at the state \p i of \p curve are peaks, of which many have grown together.
+FSTIFF_INLINE bool counts_peaks(const ResolvedJoint& joint, const LawCurve& curve, std::size_t i) {
+    constexpr double most = 0.03;  // p/(E g): there 1 to 4 times as many as spots
+    return !curve.by.empty() && curve.law_at(i).which != LawKind::boundary_elements && curve.rms_gradient &&
+           curve.states[i].pressure.value > most * joint.effective_modulus * *curve.rms_gradient;
+}
+
 /// The number of \p quantity at the state \p i of \p curve, with the ends of its band; none where its law has none.
 FSTIFF_INLINE std::optional<AnswerPoint::Value> value_of(const AnswerQuantity& quantity, const ResolvedJoint& joint,
                                                          const LawCurve& curve, std::size_t i) {
     if (quantity.of_law != Quantity::none && !has(curve.law->quantities, quantity.of_law)) return std::nullopt;
+    if (quantity.of_law == Quantity::contact_density && counts_peaks(joint, curve, i)) return std::nullopt;
     if (quantity.word == "approach" && curve.separation_at_seating.empty()) return std::nullopt;
     if ((quantity.needs & quantity.slip) != 0 && curve.log_slopes.empty()) return std::nullopt;
     const Estimate<double> value = quantity.value({joint, curve, i, curve.states[i]});
@@ -247,6 +255,7 @@ FSTIFF_INLINE void take_facts(const ResolvedJoint& joint, const Request& request
     }
     answer.flows = facts.flows;
     answer.of_map_itself = facts.of_map_itself;
+    answer.long_waves = facts.long_waves;
     answer.relative_hardness = facts.relative_hardness;
     answer.rms_gradient = curve.rms_gradient;
     answer.assumed = assumed_of(joint, *curve.law);

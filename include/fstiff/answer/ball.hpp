@@ -6,7 +6,9 @@
 ///     p(d), K(p)   of the states of the answer: ln K and ln(-dp/dd) as cubics over ln p
 ///     ends         of the ball whose law has K, and as much -dp/dd, at one end of its band at all pressures
 ///
-/// Of two ends and the middle the greatest and the least are the band: a stiffer law spreads the load less.
+/// Of two ends and the middle the greatest and the least are the band of the law: a stiffer law spreads the load less.
+/// Beside it, by squares, the place of the ball, as scatter_of_contacts() of the contacts under it times the share that
+/// roughness has of its compliance, and 5 % of the model.
 ///
 /// Reference   tabulated/ball_contact.hpp
 /// Units       SI
@@ -14,6 +16,7 @@
 /// Accuracy    of the law 5e-4; of the ball tabulated/ball_contact.hpp (tests/scene/joint_test.cpp)
 
 #include <fstiff/answer/answer.hpp>
+#include <fstiff/answer/law_errors.hpp>
 #include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
@@ -88,6 +91,19 @@ namespace detail {
         answer.rms_height, {least, greatest, OutsideRange::extrapolate}, answer.flows ? 0.0 : 1.0);
 }
 
+/// Contacts per force [1/N] of \p answer where the pressure is \p pressure [Pa], or the greatest at which peaks are spots;
+/// 0: not known.
+[[nodiscard]] inline double contacts_per_force(const Answer& answer, double pressure) {
+    constexpr double most = 0.03;  // p/(E g)
+    if (answer.rms_gradient) pressure = (std::min)(pressure, most * answer.effective_modulus * *answer.rms_gradient);
+    double least = 0, per_force = 0;
+    for (const AnswerPoint& point : answer.points)
+        if (const double away = std::abs(std::log(point.pressure / pressure));
+            point.ok() && (per_force == 0 || away < least) && point.state.contact_density.value > 0)
+            least = away, per_force = point.state.contact_density.value / point.pressure;
+    return per_force;
+}
+
 }  // namespace detail
 
 inline std::vector<Answer::Ball> Answer::balls(double radius, std::span<const double> forces) const {
@@ -111,6 +127,14 @@ inline std::vector<Answer::Ball> Answer::balls(double radius, std::span<const do
                                    " Pa, where the law of the face ends");
             std::tie(ball.low, ball.high) =
                 std::minmax({ball.contact.stiffness, on(soft).stiffness, on(stiff).stiffness});
+            constexpr double of_model = 0.05;
+            const double K = ball.contact.stiffness,
+                         contacts = force * detail::contacts_per_force(*this, ball.contact.pressure),
+                         share = (std::max)(0.0, 1 - K / ball.hertz.stiffness),
+                         of_place = contacts > 0 ? share * detail::scatter_of_contacts(contacts).high : 0,
+                         beside = std::hypot(of_model, of_place);
+            ball.low = K * std::exp(-std::hypot(std::log(K / ball.low), beside));
+            ball.high = K * std::exp(std::hypot(std::log(ball.high / K), beside));
             ball.yields = ball.contact.pressure > 1.6 * yield_strength;
         } catch (const domain_error& error) {
             ball.reason = error.what(), ball.contact = {};

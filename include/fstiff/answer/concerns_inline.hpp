@@ -175,8 +175,9 @@ FSTIFF_INLINE double factor_of_larger(const ResolvedJoint& problem, Causes<doubl
     if (problem.nominal_area) {
         LongEnd<double> end = problem.face.parameters.long_end;
         end.side *= profile ? 4 : 2, end.error /= 2;
+        const UnmeasuredWaves<double> longer = detail::unmeasured_waves(end, std::sqrt(*problem.nominal_area));
         causes[static_cast<std::size_t>(Cause::long_waves)] = {
-            -detail::unmeasured_waves(end, std::sqrt(*problem.nominal_area)).growth, 0};
+            -(std::max)(longer.growth - longer.expected, longer.expected), longer.expected};
     } else {
         scale(Cause::contacts, profile ? 0.25 : 0.5);
     }

@@ -72,6 +72,7 @@ struct AnswerFacts {
     std::vector<AnswerReason> reasons;  ///< one a state
     bool of_map_itself = false;         ///< the contact is the measured map, and no other piece of the surface
     bool flows = false;                 ///< K is that of unloading
+    double long_waves = 1;              ///< factor by which waves longer than the measurement are taken to lower K
     bool waves_at_least = false;  ///< waves longer than the measurement have no law: the band holds the least of them
     std::optional<double> relative_hardness;  ///< H/(E g)
 };

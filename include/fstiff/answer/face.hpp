@@ -57,6 +57,7 @@ struct Face {
     bool radius_follows = false, density_follows = false;  ///< R, D_p: of the moments that the other numbers make
     bool gradient_of_islands = false;  ///< rms_gradient is that of R and D_p, which no Gaussian surface has
     Process process = Process::unknown;
+    bool worn = false, whole = false;                 ///< as JointFace has them
     std::vector<Prior> priors;                        ///< none of what is known; of a sum those of both faces
     bool spectrum_of_map = true;                      ///< [persson] spectrum = "map", where there is one
     std::string_view instead_of_map{};                ///< the number that was given in place of those of the map

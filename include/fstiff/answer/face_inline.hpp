@@ -175,6 +175,7 @@ FSTIFF_INLINE Face sum_in_order(const Face& upper, const Face& lower, int shifts
     if (shifts == 0) return face;
     if (upper.heights && lower.heights) face.heights = sum_of_faces(*upper.heights, *lower.heights);
     face.spectrum_of_map = upper.spectrum_of_map && lower.spectrum_of_map;
+    face.whole = upper.whole && lower.whole;
     for (std::size_t k = 0; k < (std::max)(upper.neighbours.size(), lower.neighbours.size()); ++k) {
         const auto neighbour = [k](const Face& part) -> const Face& {
             return part.neighbours.empty() ? part : part.neighbours[(std::min)(k, part.neighbours.size() - 1)];

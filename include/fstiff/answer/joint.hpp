@@ -68,6 +68,8 @@ struct JointFace {
     std::optional<double> fractal_dimension{};  ///< D of a profile, above 1 and at most 1.99
     std::optional<double> fractal_roughness{};  ///< G [m], above 0
     Process process = Process::unknown;
+    bool worn = false;   ///< it has run against another face: the shape of its heights is that of honed ones
+    bool whole = false;  ///< a measured map is the whole face, which nobody presses further out; else a piece of it
 
     /// Standard errors, 0 or more, of the numbers that are given; of those that were measured in place of the error of
     /// the measurement.

@@ -127,6 +127,13 @@ void each_field(Face& face, const Take& take) {
                      .words = detail::fields::kurtoses});
 }
 
+/// Hands over what is true or false of \p face, a JointFace.
+template <detail::fields::Of<JointFace> Face, class Take>
+void each_flag(Face& face, const Take& take) {
+    take("worn", face.worn, "it has run against another face: its tops are worn");
+    take("whole", face.whole, "the measured map is the whole face, not a piece of it");
+}
+
 /// Hands over the numbers of \p body, a Body.
 template <detail::fields::Of<Body> B, class Take>
 void each_field(B& body, const Take& take) {

@@ -46,6 +46,7 @@ struct LawErrorQuestion {
     KnownAs known = KnownAs::map;
     T p_star = std::numeric_limits<T>::quiet_NaN(), hardness{};  ///< hardness: H/(E g); 0: not known
     std::optional<Measurement<T>> skewness{}, kurtosis{};        ///< of heights, measured or taken
+    bool alpha_known = false;                                    ///< of numbers, Nayak's m0 m4/m2^2
     T long_waves{};  ///< relative error of sigma that waves as long as the piece make; 0: none
 };
 
@@ -62,7 +63,8 @@ struct LawErrorRow { LawErrorTable low, high; };
 /// Of heights that are far from Gaussian: faces of one skewness and kurtosis differ where few points carry and, by
 /// their patches, where many do.
 inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}, {60, 60, 60, 60, 60, 60, 60}},
-    shape_errors_of_numbers{{120, 120, 110, 55, 33, 33, 25}, {75, 75, 50, 33, 20, 50, 42}};
+    shape_errors_of_numbers{{120, 120, 110, 78, 33, 33, 25}, {75, 75, 50, 45, 28, 54, 55}},
+    shape_errors_with_alpha{{120, 120, 110, 78, 33, 33, 20}, {75, 75, 50, 45, 28, 54, 44}};
 // clang-format on
 
 /// The row of \p law.
@@ -119,7 +121,9 @@ template <Real T>
     T low = std::hypot(spread(flowed.low, elastic.low, 0), (map ? T(0.8) : T(trace)) * question.long_waves),
       high = std::hypot(spread(flowed.high, elastic.high, 0), (map ? T(0.8) : T(0)) * question.long_waves);
     if (question.known != KnownAs::map && question.skewness && question.kurtosis) {
-        const auto& table = question.known == KnownAs::trace ? shape_errors_of_traces : shape_errors_of_numbers;
+        const auto& table = question.known == KnownAs::trace ? shape_errors_of_traces
+                            : question.alpha_known           ? shape_errors_with_alpha
+                                                             : shape_errors_of_numbers;
         const T m = (std::min)(std::hypot(question.skewness->value, question.kurtosis->value - 3), T(1));
         const T first = T(law_error_pressures.front());  // it does not grow below
         low = std::hypot(low, m * spread(table.low, table.low, first)),

@@ -84,7 +84,7 @@ FSTIFF_INLINE void take_gradient(const PriorRange& range, Origin origin, Face& f
 
 /// The height and the gradient of \p spec, and the errors that they are given.
 FSTIFF_INLINE void take_height_and_gradient(const JointFace& spec, Face& face) {
-    const ProcessPrior& prior = detail::prior_of(face.process);
+    const ProcessPrior prior = detail::prior_of(face.process, face.worn);
     if (spec.rms_height) face.write(Parameter::rms_height, *spec.rms_height);
     if (spec.mean_height) {
         const PriorRange& ratio = prior.mean_over_rms;
@@ -157,7 +157,7 @@ FSTIFF_INLINE Face face_of(const JointFace& spec) {
     require_numbers(spec);
     Face face;
     if (spec.measured) face = spec.measured->face();
-    face.process = spec.process;
+    face.process = spec.process, face.worn = spec.worn, face.whole = spec.whole;
     take_height_and_gradient(spec, face);
     const auto put = [&](const Given& value, Given Face::*into) {
         if (value) face.write([&](Face& f) { f.*into = value; });

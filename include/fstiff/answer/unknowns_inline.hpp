@@ -16,7 +16,7 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 /// Gradient and alpha, as far as they are not known.
 FSTIFF_INLINE void fill_spectrum(Face& face) {
-    const ProcessPrior& prior = detail::prior_of(face.process);
+    const ProcessPrior prior = detail::prior_of(face.process, face.worn);
     const bool has_radius = !face.radius_follows, has_density = !face.density_follows;
     const Roughness<double> peaks = face.roughness();
     const auto set_gradient = [&](const PriorRange& range, Origin origin) {
@@ -41,7 +41,7 @@ FSTIFF_INLINE void fill_spectrum(Face& face) {
 
 FSTIFF_INLINE void fill_hurst(Face& face) {
     if (face.hurst || face.dimension()) return;
-    const PriorRange& prior = detail::prior_of(face.process).hurst;
+    const PriorRange prior = detail::prior_of(face.process).hurst;
     const double middle = hurst_exponent(face);  // no less than the width of what was measured allows
     const double least = detail::least_hurst(spectral_moments(face), face.widest_band);
     const PriorRange range{(std::min)(middle, (std::max)(prior.low, least)), middle, (std::max)(middle, prior.high)};
@@ -58,7 +58,7 @@ FSTIFF_INLINE void fill_shape(Face& face) {
         face.priors.push_back({Unknown::kurtosis, face.shape.kurtosis - kurtosis, face.shape.kurtosis + kurtosis});
         return;
     }
-    const ProcessPrior& prior = detail::prior_of(face.process);
+    const ProcessPrior prior = detail::prior_of(face.process, face.worn);
     const double s = prior.skewness.middle, tail = 3 + 1.5 * s * s;
     const PriorRange kurtosis{tail + prior.tail.low, tail + prior.tail.middle, tail + prior.tail.high};
     face.set_shape({s, kurtosis.middle});

@@ -46,17 +46,23 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 /// ln of sigma of the nominal contact over measured sigma, from waves longer than the measurement.
 template <Real T = double>
 struct UnmeasuredWaves {
-    T growth{};       ///< >= 0
+    T growth{};       ///< greatest, >= 0
+    T expected{};     ///< from 0 to growth: mean over faces whose waves end with the piece and whose waves go on
     bool at_least{};  ///< lower bound: sigma grows by at least this, without a law of the spectrum
 };
+
+/// Of the growth by the law of the long end: a piece of a face whose waves end with it looks like one of a face whose
+/// waves go on, so that it is less than 1.
+template <Real T>
+inline constexpr T expected_share = T(0.75);
 
 /// Growth by waves that a contact with the side \p side [m] has and the piece of \p end has not.
 template <Real T>
 [[nodiscard]] UnmeasuredWaves<T> unmeasured_waves(const LongEnd<T>& end, std::type_identity_t<T> side) {
     if (!(end.side > T(0) && side > end.side)) return {};
     const T scatter = (std::numbers::sqrt2_v<T> - 1) * math::normal_95<T>.value * end.error * (1 - end.side / side);
-    const T growth = end.open * (end.hurst * std::log(side / end.side) + scatter);
-    return {growth, growth > T(0.01) && !end.law};
+    const T law = end.open * (end.hurst * std::log(side / end.side)), growth = law + end.open * scatter;
+    return {growth, expected_share<T> * law, growth > T(0.01) && !end.law};
 }
 
 /// Mean of two ends, \p a and \p b, of surfaces that have \p share and 1 - share of the mean square height or of the

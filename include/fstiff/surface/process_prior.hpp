@@ -29,7 +29,7 @@
 namespace fstiff { inline namespace v0_1 {
 
 /// Process that made a surface.
-enum class Process { unknown, ground, turned, milled, honed, lapped, polished, blasted, eroded };
+enum class Process { unknown, ground, turned, milled, honed, lapped, polished, blasted, eroded, superfinished };
 
 /// 5, 50 and 95 % quantiles of an unknown.
 struct PriorRange {
@@ -53,22 +53,27 @@ struct ProcessPrior {
 
 // clang-format off
 /// Table of the processes, in the order of Process.
-inline constexpr std::array<ProcessPrior, 9> process_priors{{
+inline constexpr std::array<ProcessPrior, 10> process_priors{{
     //                  lay    Ra/Rq               slope                alpha        H                skewness      tail
-    {Process::unknown,  false, {0.74, 0.80, 0.86}, {0.067, 0.20, 0.60}, {2, 8, 50},  {0.3, 0.8, 1.0}, {-1.2,  0.0, 0.7}, {-0.5,  0.0, 1.5}},
+    {Process::unknown,  false, {0.74, 0.80, 0.86}, {0.067, 0.20, 0.60}, {2, 8, 50},  {0.3, 0.8, 1.0}, {-2.0,  0.0, 0.7}, {-0.5,  0.0, 1.5}},
     {Process::ground,   true,  {0.74, 0.79, 0.82}, {0.080, 0.20, 0.50}, {3, 10, 50}, {0.3, 0.8, 1.0}, {-0.8, -0.2, 0.3}, {-0.3,  0.1, 1.0}},
     {Process::turned,   true,  {0.79, 0.84, 0.90}, {0.030, 0.10, 0.35}, {3, 15, 80}, {0.3, 0.8, 1.0}, {-0.1,  0.4, 0.9}, {-0.8, -0.4, 0.4}},
     {Process::milled,   true,  {0.77, 0.82, 0.88}, {0.030, 0.12, 0.40}, {3, 15, 80}, {0.3, 0.8, 1.0}, {-0.6, -0.1, 0.6}, {-0.6, -0.1, 0.8}},
     {Process::honed,    true,  {0.68, 0.76, 0.81}, {0.080, 0.20, 0.50}, {3, 10, 50}, {0.3, 0.8, 1.0}, {-2.2, -1.0, 0.0}, {-0.4,  0.2, 1.5}},
     {Process::lapped,   false, {0.74, 0.79, 0.82}, {0.067, 0.20, 0.60}, {2, 8, 50},  {0.3, 0.8, 1.0}, {-0.8, -0.2, 0.2}, {-0.3,  0.1, 1.0}},
-    {Process::polished, false, {0.70, 0.78, 0.82}, {0.020, 0.10, 0.50}, {3, 15, 80}, {0.3, 0.8, 1.0}, {-0.8, -0.1, 0.5}, {-0.3,  0.3, 2.0}},
+    {Process::polished, false, {0.70, 0.78, 0.82}, {0.020, 0.10, 0.50}, {3, 15, 80}, {0.3, 0.8, 1.0}, {-2.2, -0.1, 0.5}, {-0.3,  0.3, 2.0}},
     {Process::blasted,  false, {0.77, 0.80, 0.82}, {0.100, 0.22, 0.50}, {2, 6, 30},  {0.3, 0.8, 1.0}, {-0.4,  0.0, 0.4}, {-0.3,  0.0, 0.5}},
-    {Process::eroded,   false, {0.77, 0.80, 0.82}, {0.120, 0.30, 0.70}, {2, 6, 30},  {0.3, 0.8, 1.0}, {-0.1,  0.3, 0.8}, {-0.3,  0.0, 0.5}}}};
+    {Process::eroded,   false, {0.77, 0.80, 0.82}, {0.120, 0.30, 0.70}, {2, 6, 30},  {0.3, 0.8, 1.0}, {-0.1,  0.3, 0.8}, {-0.3,  0.0, 0.5}},
+    {Process::superfinished, true, {0.68, 0.76, 0.81}, {0.040, 0.15, 0.50}, {3, 10, 50}, {0.3, 0.8, 1.0}, {-2.4, -1.0, 0.0}, {-0.4,  0.2, 1.5}}}};
 // clang-format on
 
-/// Row of \p process.
-[[nodiscard]] constexpr const ProcessPrior& prior_of(Process process) {
-    return process_priors[static_cast<std::size_t>(process)];
+/// Row of \p process; a face that is \p worn has the heights of a honed one.
+[[nodiscard]] constexpr ProcessPrior prior_of(Process process, bool worn = false) {
+    ProcessPrior prior = process_priors[static_cast<std::size_t>(process)];
+    if (!worn) return prior;
+    const ProcessPrior& honed = process_priors[static_cast<std::size_t>(Process::honed)];
+    prior.mean_over_rms = honed.mean_over_rms, prior.skewness = honed.skewness, prior.tail = honed.tail;
+    return prior;
 }
 
 /// d ln g/d ln sigma of a gradient that follows from the rms height: gradient_of_height(), slope_of_spacing(),
@@ -143,7 +148,8 @@ inline constexpr auto enum_names<Process> = detail::name_list<Process>({{Process
                                                                         {Process::lapped, "lapped"},
                                                                         {Process::polished, "polished"},
                                                                         {Process::blasted, "blasted"},
-                                                                        {Process::eroded, "eroded"}});
+                                                                        {Process::eroded, "eroded"},
+                                                                        {Process::superfinished, "superfinished"}});
 
 }}  // namespace fstiff
 
@@ -156,9 +162,9 @@ struct ProcessWords {
 };
 
 // clang-format off
-inline constexpr std::array<ProcessWords, 9> process_words{{
+inline constexpr std::array<ProcessWords, 10> process_words{{
     {Process::unknown, "reamed,reaming,gerieben,rolled,rolling,cold rolled,hot rolled,gewalzt,scraped,scraping,geschabt,"
-                       "superfinished,superfinish,superfinishing,shot peened,shot peening,peened,peening,kugelgestrahlt,"
+                       "shot peened,shot peening,peened,peening,kugelgestrahlt,"
                        "burnished,burnishing,roller burnished,rolliert,drilled,drilling,gebohrt,bored,boring,broached,broaching,"
                        "ger\xC3\xA4umt,geraeumt,planed,gehobelt,"
                        "extruded,extrusion,drawn,gezogen,sawn,sawed,ges\xC3\xA4gt,gesaegt,etched,etching,ge\xC3\xA4tzt,geaetzt,pickled,"
@@ -181,7 +187,9 @@ inline constexpr std::array<ProcessWords, 9> process_words{{
     {Process::eroded,   "erosion,EDM,EDMed,spark eroded,spark erosion,wire eroded,wire EDM,die sinking,sinker EDM,"
                         "electro discharge machined,electro discharge machining,electrical discharge machined,"
                         "electrical discharge machining,electric discharge machined,erodiert,erodieren,funkenerodiert,"
-                        "drahterodiert,senkerodiert"}}};
+                        "drahterodiert,senkerodiert"},
+    {Process::superfinished, "superfinish,superfinishing,super finished,super finishing,microfinished,microfinishing,short stroke honed,"
+                        "kurzhubgehont,feingehont,superfiniert"}}};
 // clang-format on
 
 /// The process of \p word, its name or another word for it; none of a word that is in neither list.
