@@ -89,7 +89,9 @@ std::vector<double> numbers_at(const document::Json& document, const std::string
     bool known = false;
     const auto take = [&](const document::Json* json) {
         known = known || json;
-        const std::vector<double> more = json ? json->numbers() : std::vector{std::numeric_limits<double>::quiet_NaN()};
+        const std::vector<double> more =
+            json ? fstiff::detail::located(fstiff::Place{.file = path}, [&] { return json->numbers(); })
+                 : std::vector{std::numeric_limits<double>::quiet_NaN()};
         numbers.insert(numbers.end(), more.begin(), more.end());
     };
     if (star == std::string::npos) take(document.at(path));
@@ -183,7 +185,7 @@ int fstiff_document_numbers(const fstiff_document* document, const char* path, d
     return guarded([&] {
         const std::string key = &not_null(path, "path");
         const auto& from = not_null(document, "document").numbers;
-        const auto numbers = fstiff::detail::located(fstiff::Place{.file = key}, [&] { return numbers_at(from, key); });
+        const auto numbers = numbers_at(from, key);
         not_null(count, "count") = numbers.size();
         if (!values && capacity == 0) return FSTIFF_OK;
         not_null(values, "values");

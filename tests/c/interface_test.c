@@ -27,11 +27,14 @@ static int failures = 0;
         }                                                                                                       \
     } while (0)
 
-#define REFUSES(wanted, words, call)                         \
+#define ENDS(wanted, words, call)                            \
     do {                                                     \
         CHECK((call) == (wanted));                           \
         CHECK(strstr(fstiff_last_message(), words) != NULL); \
     } while (0)
+#define OK(call) CHECK((call) == FSTIFF_OK)
+#define REFUSES(words, call) ENDS(FSTIFF_REFUSED, words, call)
+#define BAD(words, call) ENDS(FSTIFF_BAD_ARGUMENT, words, call)
 
 static char* read_file(const char* name, size_t* length) {
     FILE* file = fopen(name, "rb");
@@ -92,7 +95,7 @@ static fstiff_contact* contact_of(const char* law) {
     const fstiff_face fine = fine_face();
     const fstiff_joint joint = joint_of(&fine);
     fstiff_contact* contact = NULL;
-    CHECK(fstiff_contact_make(law, &joint, &contact) == FSTIFF_OK);
+    OK(fstiff_contact_make(law, &joint, &contact));
     return contact;
 }
 
@@ -140,7 +143,7 @@ static void test_contacts(void) {
     fstiff_joint joint = joint_of(&fine);
     joint.interaction = FSTIFF_EFFECTIVE_SEPARATION, joint.interaction_length = 1e-4;
     fstiff_contact* contact;
-    CHECK(fstiff_contact_make("hertz", &joint, &contact) == FSTIFF_OK);
+    OK(fstiff_contact_make("hertz", &joint, &contact));
     check_contact("interacting", contact);
     fstiff_contact_free(contact);
 
@@ -151,19 +154,19 @@ static void test_contacts(void) {
     static results all;
     for (size_t i = 0; i < most; ++i) in_place[i] = 1e5 * (1 + (double)i);
     const fstiff_points everything = points_of(&all);
-    CHECK(fstiff_contact_at_pressures(contact, in_place, most, &everything) == FSTIFF_OK);
+    OK(fstiff_contact_at_pressures(contact, in_place, most, &everything));
     fstiff_points one = {sizeof one, NULL, NULL, alone, NULL, NULL, NULL, NULL, NULL};
-    CHECK(fstiff_contact_at_pressures(contact, in_place, most, &one) == FSTIFF_OK);
+    OK(fstiff_contact_at_pressures(contact, in_place, most, &one));
     CHECK(memcmp(alone, all.of[2], sizeof alone) == 0);
     one.stiffness = in_place;
-    CHECK(fstiff_contact_at_pressures(contact, in_place, most, &one) == FSTIFF_OK);
+    OK(fstiff_contact_at_pressures(contact, in_place, most, &one));
     CHECK(memcmp(alone, in_place, sizeof alone) == 0);
     fstiff_contact_free(contact);
 }
 
 /* K by every law is that of contact_of() of C++, of numbers or, where the law needs them, of the heights of a map. */
 static void test_laws(void) {
-    size_t count, sides_count, laws = 0;
+    size_t count, sides_count, laws = 0, laws_of_maps = 0;
     double *pressures = numbers_of("pressures", &count), *heights = numbers_of("map", &count),
            *sides = numbers_of("map/sides", &sides_count);
     const fstiff_heights map = {sizeof map, heights, (size_t)sides[0], (size_t)sides[1], sides[2], sides[3]};
@@ -178,14 +181,22 @@ static void test_laws(void) {
         const fstiff_joint joint = {.size = sizeof joint, .face = &face, .upper = steel, .lower = steel};
         fstiff_contact* contact = NULL;
         const fstiff_points points = {.size = sizeof points, .stiffness = stiffness};
-        CHECK(fstiff_contact_make(law, &joint, &contact) == FSTIFF_OK);
+        OK(fstiff_contact_make(law, &joint, &contact));
         const int status = fstiff_contact_at_pressures(contact, pressures, count, &points);
         CHECK(status == FSTIFF_OK || wanted[count - 1] == 0);
         CHECK(memcmp(stiffness, wanted, count * sizeof *wanted) == 0 && wanted[0] > 0);
+        if (strcmp(law, "summits") == 0) {
+            fstiff_law* table = NULL;
+            double K = 0;
+            OK(fstiff_law_make(contact, pressures[0], pressures[1], FSTIFF_OUTSIDE_REFUSE, &table));
+            OK(fstiff_law_at_pressure(table, pressures[1], NULL, &K, NULL));
+            CHECK(fabs(K / wanted[1] - 1) < 1e-3);
+            fstiff_law_free(table), ++laws_of_maps;
+        }
         fstiff_contact_free(contact);
         free(wanted);
     }
-    CHECK(laws > 10);
+    CHECK(laws > 10 && laws_of_maps == 1);
     free(pressures);
     free(heights);
     free(sides);
@@ -204,9 +215,9 @@ static void test_scene(const char* file) {
         sprintf(key, "scene/k%zu", curve);
         double* wanted = numbers_of(key, &count);
         fstiff_contact* contact;
-        CHECK(fstiff_contact_of_scene(text, length, NULL, law[curve], peaks[curve], &contact) == FSTIFF_OK);
+        OK(fstiff_contact_of_scene(text, length, NULL, law[curve], peaks[curve], &contact));
         fstiff_points points = {sizeof points, NULL, NULL, pressures, NULL, NULL, NULL, NULL, NULL};
-        CHECK(fstiff_contact_at_pressures(contact, pressures, count, &points) == FSTIFF_OK);
+        OK(fstiff_contact_at_pressures(contact, pressures, count, &points));
         CHECK(memcmp(pressures, wanted, count * sizeof *wanted) == 0);
         fstiff_contact_free(contact);
         free(pressures);
@@ -226,10 +237,10 @@ static void check_friction(const fstiff_law* law) {
     double ratio = 0, a = 0, b = 0;
     CHECK(fstiff_tangential_ratio(205e9, 0.3, 70e9, 0.33, &ratio) == FSTIFF_OK && ratio == w[0]);
     fstiff_friction* friction = NULL;
-    CHECK(fstiff_friction_make(law, 0.3, ratio, &friction) == FSTIFF_OK);
+    OK(fstiff_friction_make(law, 0.3, ratio, &friction));
     CHECK(fstiff_friction_first_slip(friction, w[1], 1e-7, &a, &b) == FSTIFF_OK && a == w[2] && b == w[3]);
     CHECK(fstiff_friction_cycle(friction, w[1], 1e-7, &a, &b) == FSTIFF_OK && a == w[4] && b == w[5]);
-    CHECK(fstiff_friction_cycle(friction, w[1], 1e-7, NULL, NULL) == FSTIFF_OK);
+    OK(fstiff_friction_cycle(friction, w[1], 1e-7, NULL, NULL));
     CHECK(fstiff_law_energy(law, w[1], &a) == FSTIFF_OK && a == w[6]);
     CHECK(fstiff_law_touch(law, &a) == FSTIFF_OK && a == w[7]);
 
@@ -242,8 +253,8 @@ static void check_friction(const fstiff_law* law) {
         w = numbers_of(key, &count);
         fstiff_slip other = {.size = sizeof other};
         double p, q[2], tangent[9], stored;
-        CHECK(fstiff_friction_step(friction, &state, w[0], w + 1, &other, NULL, NULL, NULL) == FSTIFF_OK);
-        CHECK(fstiff_friction_step(friction, &state, w[0], w + 1, &state, &p, q, tangent) == FSTIFF_OK);
+        OK(fstiff_friction_step(friction, &state, w[0], w + 1, &other, NULL, NULL, NULL));
+        OK(fstiff_friction_step(friction, &state, w[0], w + 1, &state, &p, q, tangent));
         CHECK(memcmp(&state, &other, sizeof state) == 0);
         CHECK(p == w[3] && q[0] == w[4] && q[1] == w[5]);
         for (int j = 0; j < 9; ++j) CHECK(tangent[j] == w[6 + j]);
@@ -255,16 +266,6 @@ static void check_friction(const fstiff_law* law) {
         free(w);
     }
 
-    /* One monotone path in many steps is the difference of two normal states, q = mu (p(d) - p(d + k s/mu)). */
-    double p, p_stuck, q[2];
-    CHECK(fstiff_law_at_pressure(law, 1e7, &a, NULL, NULL) == FSTIFF_OK);
-    state = (fstiff_slip){.size = sizeof state, .separation = a};
-    for (int i = 1; i <= 50; ++i) {
-        const double slip[2] = {1.2e-8, 1.6e-8};
-        CHECK(fstiff_friction_step(friction, &state, a, slip, &state, &p, q, NULL) == FSTIFF_OK);
-        CHECK(fstiff_law_at_separation(law, a + ratio / 0.3 * 2e-8 * i, &p_stuck, NULL, NULL) == FSTIFF_OK);
-        CHECK(fabs(q[0] - 0.6 * 0.3 * (p - p_stuck)) < 1e-12 * p && fabs(q[1] - 0.8 * 0.3 * (p - p_stuck)) < 1e-12 * p);
-    }
     CHECK(!fetestexcept(FE_INVALID | FE_DIVBYZERO)); /* hosts may trap them */
     fstiff_friction_free(friction);
 }
@@ -298,33 +299,33 @@ static void test_random_slips(const fstiff_friction* friction, double closest) {
 static void test_refusals_of_friction(void) {
     fstiff_contact* hertz = contact_of("hertz");
     fstiff_law *law, *plastic;
-    CHECK(fstiff_law_make(hertz, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    OK(fstiff_law_make(hertz, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law));
     fstiff_contact_free(hertz);
     fstiff_friction *friction = NULL, *none = (fstiff_friction*)&friction;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_friction_make(NULL, 0.3, 0.8, &none));
+    BAD("law", fstiff_friction_make(NULL, 0.3, 0.8, &none));
     CHECK(none == NULL);
-    REFUSES(FSTIFF_BAD_ARGUMENT, "made", fstiff_friction_make(law, 0.3, 0.8, NULL));
-    REFUSES(FSTIFF_REFUSED, "friction = 0", fstiff_friction_make(law, 0, 0.8, &none));
-    REFUSES(FSTIFF_REFUSED, "ratio = nan", fstiff_friction_make(law, 0.3, (double)NAN, &none));
+    BAD("made", fstiff_friction_make(law, 0.3, 0.8, NULL));
+    REFUSES("friction = 0", fstiff_friction_make(law, 0, 0.8, &none));
+    REFUSES("ratio = nan", fstiff_friction_make(law, 0.3, (double)NAN, &none));
     fstiff_contact* flowing = contact_of("fractal");
-    CHECK(fstiff_law_make(flowing, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &plastic) == FSTIFF_OK);
+    OK(fstiff_law_make(flowing, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &plastic));
     fstiff_contact_free(flowing);
-    REFUSES(FSTIFF_REFUSED, "must be elastic", fstiff_friction_make(plastic, 0.3, 0.8, &none));
+    REFUSES("must be elastic", fstiff_friction_make(plastic, 0.3, 0.8, &none));
     fstiff_law_free(plastic);
-    REFUSES(FSTIFF_REFUSED, "poisson_ratio", fstiff_tangential_ratio(1, 0.6, 1, 0.3, &(double){0}));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "ratio", fstiff_tangential_ratio(1, 0.3, 1, 0.3, NULL));
-    CHECK(fstiff_friction_make(law, 0.3, 0.8, &friction) == FSTIFF_OK);
+    REFUSES("poisson_ratio", fstiff_tangential_ratio(1, 0.6, 1, 0.3, &(double){0}));
+    BAD("ratio", fstiff_tangential_ratio(1, 0.3, 1, 0.3, NULL));
+    OK(fstiff_friction_make(law, 0.3, 0.8, &friction));
 
     double d, a = -7, b = -7;
-    CHECK(fstiff_law_at_pressure(law, 1e7, &d, NULL, NULL) == FSTIFF_OK);
-    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_energy(law, 1, &a));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "energy", fstiff_law_energy(law, d, NULL));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "separation", fstiff_law_touch(law, NULL));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_law_touch(NULL, &a));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "friction", fstiff_friction_first_slip(NULL, d, 1e-7, &a, &b));
-    REFUSES(FSTIFF_REFUSED, "slip = -1", fstiff_friction_first_slip(friction, d, -1, &a, &b));
-    REFUSES(FSTIFF_REFUSED, "separation", fstiff_friction_first_slip(friction, (double)NAN, 1e-7, &a, &b));
-    REFUSES(FSTIFF_REFUSED, "amplitude", fstiff_friction_cycle(friction, d, (double)NAN, &a, &b));
+    OK(fstiff_law_at_pressure(law, 1e7, &d, NULL, NULL));
+    REFUSES("the range of the law", fstiff_law_energy(law, 1, &a));
+    BAD("energy", fstiff_law_energy(law, d, NULL));
+    BAD("separation", fstiff_law_touch(law, NULL));
+    BAD("law", fstiff_law_touch(NULL, &a));
+    BAD("friction", fstiff_friction_first_slip(NULL, d, 1e-7, &a, &b));
+    REFUSES("slip = -1", fstiff_friction_first_slip(friction, d, -1, &a, &b));
+    REFUSES("separation", fstiff_friction_first_slip(friction, (double)NAN, 1e-7, &a, &b));
+    REFUSES("amplitude", fstiff_friction_cycle(friction, d, (double)NAN, &a, &b));
     CHECK(a == -7 && b == -7);
     CHECK(fstiff_friction_first_slip(friction, d, 1e-7, NULL, &b) == FSTIFF_OK && b > 0);
 
@@ -334,31 +335,31 @@ static void test_refusals_of_friction(void) {
     const double slip[2] = {1e-8, 0}, no_number[2] = {0, (double)NAN};
     a = -7;
 #define STEP(before, to, by) fstiff_friction_step(friction, before, to, by, &after, &a, NULL, NULL)
-    REFUSES(FSTIFF_BAD_ARGUMENT, "before", STEP(NULL, d, slip));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "slip", STEP(&good, d, NULL));
-    REFUSES(FSTIFF_REFUSED, "separation = inf", STEP(&good, (double)INFINITY, slip));
-    REFUSES(FSTIFF_REFUSED, "slip = nan", STEP(&good, d, no_number));
+    BAD("before", STEP(NULL, d, slip));
+    BAD("slip", STEP(&good, d, NULL));
+    REFUSES("separation = inf", STEP(&good, (double)INFINITY, slip));
+    REFUSES("slip = nan", STEP(&good, d, no_number));
     bad.size = 8;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "before->size = 8", STEP(&bad, d, slip));
+    BAD("before->size = 8", STEP(&bad, d, slip));
     const int counts[] = {-1, 17, 2147483647};
     for (size_t i = 0; i < 3; ++i) {
         bad = good, bad.count = counts[i];
-        REFUSES(FSTIFF_REFUSED, "count of a slip", STEP(&bad, d, slip));
+        REFUSES("count of a slip", STEP(&bad, d, slip));
     }
     bad = good, bad.levels[1] = bad.levels[0];
-    REFUSES(FSTIFF_REFUSED, "further than the one before it", STEP(&bad, d, slip));
+    REFUSES("further than the one before it", STEP(&bad, d, slip));
     bad = good, bad.levels[0] = d;
-    REFUSES(FSTIFF_REFUSED, "further than the one before it", STEP(&bad, d, slip));
+    REFUSES("further than the one before it", STEP(&bad, d, slip));
     bad = good, bad.levels[1] = (double)INFINITY;
-    REFUSES(FSTIFF_REFUSED, "level of a slip = inf: must be finite", STEP(&bad, d, slip));
+    REFUSES("level of a slip = inf: must be finite", STEP(&bad, d, slip));
     bad = good, bad.drags[1][1] = (double)NAN;
-    REFUSES(FSTIFF_REFUSED, "drag of a slip", STEP(&bad, d, slip));
-    REFUSES(FSTIFF_REFUSED, "drag of a slip", fstiff_friction_stored_energy(friction, &bad, &a));
+    REFUSES("drag of a slip", STEP(&bad, d, slip));
+    REFUSES("drag of a slip", fstiff_friction_stored_energy(friction, &bad, &a));
     bad = good, bad.separation = (double)NAN;
-    REFUSES(FSTIFF_REFUSED, "separation of a slip", STEP(&bad, d, slip));
+    REFUSES("separation of a slip", STEP(&bad, d, slip));
     CHECK(a == -7 && after.separation == 0);
     after.size = 0;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "after->size = 0", STEP(&good, d, slip));
+    BAD("after->size = 0", STEP(&good, d, slip));
     CHECK(a == -7);
     test_random_slips(friction, d);
     fstiff_friction_free(friction);
@@ -376,21 +377,21 @@ static void check_law(const fstiff_law* law) {
         size_t seven;
         sprintf(key, "law/%zu", i);
         double *w = numbers_of(key, &seven), a = 0, b = 0, c = 0;
-        CHECK(fstiff_law_at_pressure(law, w[0], &a, &b, &c) == FSTIFF_OK);
+        OK(fstiff_law_at_pressure(law, w[0], &a, &b, &c));
         CHECK(a == w[1] && b == w[2] && c == w[3]);
-        CHECK(fstiff_law_at_separation(law, w[1], &a, &b, &c) == FSTIFF_OK);
+        OK(fstiff_law_at_separation(law, w[1], &a, &b, &c));
         CHECK(a == w[4] && b == w[5] && c == w[6]);
         CHECK(fstiff_law_at_separation(law, w[1], NULL, &b, NULL) == FSTIFF_OK && b == w[5]);
         p[i] = w[4], d[i] = in_place[i] = w[1], k[i] = w[5];
         free(w);
     }
-    CHECK(fstiff_law_at_separations(law, in_place, 7, in_place, stiffness, status) == FSTIFF_OK);
+    OK(fstiff_law_at_separations(law, in_place, 7, in_place, stiffness, status));
     for (size_t i = 0; i < 7; ++i) {
         CHECK(fabs(in_place[i] / p[i] - 1) < 200 * 2.3e-16); /* the bound of tabulated/contact_law.hpp */
         CHECK(fabs(stiffness[i] / k[i] - 1) < 200 * 2.3e-16);
         CHECK(status[i] == FSTIFF_OK);
     }
-    CHECK(fstiff_law_at_pressures(law, p, 7, in_place, stiffness, NULL) == FSTIFF_OK);
+    OK(fstiff_law_at_pressures(law, p, 7, in_place, stiffness, NULL));
     for (size_t i = 0; i < 7; ++i) CHECK(fabs(in_place[i] - d[i]) < 1e-9 * 0.832e-6);
 }
 
@@ -398,7 +399,7 @@ static void check_law(const fstiff_law* law) {
 static void test_tangents(void) {
     fstiff_contact* contact = contact_of("fractal");
     fstiff_law* law;
-    CHECK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    OK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law));
     fstiff_contact_free(contact);
     fstiff_law_facts facts = {.size = sizeof facts};
     CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.stiffness_is_slope == 0);
@@ -424,21 +425,21 @@ static void test_law(const char* file) {
     char* text = read_file(file, &length);
     fstiff_contact* contact = contact_of("hertz");
     fstiff_law *made, *read;
-    CHECK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_EXTRAPOLATE, &made) == FSTIFF_OK);
+    OK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_EXTRAPOLATE, &made));
     fstiff_contact_free(contact);
     check_law(made);
     CHECK(fstiff_law_text(made, NULL, 0, &written) == FSTIFF_OK && written == length);
     char* buffer = malloc(length + 1);
     if (!buffer) exit(1);
     CHECK(fstiff_law_text(made, buffer, length, &written) == FSTIFF_BAD_ARGUMENT && written == length);
-    CHECK(fstiff_law_text(made, buffer, length + 1, &written) == FSTIFF_OK);
+    OK(fstiff_law_text(made, buffer, length + 1, &written));
     CHECK(memcmp(buffer, text, length + 1) == 0);
-    CHECK(fstiff_law_of_text(text, length, &read) == FSTIFF_OK);
+    OK(fstiff_law_of_text(text, length, &read));
     check_law(read);
     check_friction(made);
     check_friction(read);
     fstiff_law_facts facts = {.size = sizeof facts};
-    CHECK(fstiff_law_facts_of(read, &facts) == FSTIFF_OK);
+    OK(fstiff_law_facts_of(read, &facts));
     CHECK(facts.min_pressure == 1e5 && facts.max_pressure == 1e8 && facts.stiffness_is_slope == 1);
     CHECK(facts.outside == FSTIFF_OUTSIDE_EXTRAPOLATE && facts.relative_error > 0 && facts.relative_error < 1e-9);
     /* an open contact bears nothing, and NaN is refused point by point */
@@ -454,68 +455,22 @@ static void test_law(const char* file) {
     free(text);
 }
 
-/* A map of waves as SDF text, and a scene of it with all laws of a map. */
-static char* scene_of_a_map(void) {
-    FILE* file = fopen("waves.sdf", "wb");
-    if (!file) exit(1);
-    fprintf(
-        file,
-        "aISO-1.0\nManufacID = test\nNumPoints = 64\nNumProfiles = 64\nXscale = 1e-6\nYscale = 1e-6\nZscale = 1e-6\n"
-        "Zresolution = -1\nCompression = 0\nDataType = 7\nCheckType = 0\n*\n");
-    for (int i = 0; i < 64; ++i)
-        for (int j = 0; j < 64; ++j) {
-            double z = 0;
-            for (int n = 3; n < 9; ++n)
-                z += (cos(0.098174770424681 * (n * i + (11 - n) * j) + n * n) +
-                      cos(0.098174770424681 * (n * i - (10 - n) * j) + 5 * n)) /
-                     n;
-            fprintf(file, "%.6f\n", z);
-        }
-    fprintf(file, "*\n");
-    fclose(file);
-    return "name = \"waves\"\n[surface]\nfrom = \"waves.sdf\"\n[material.upper]\nyoungs_modulus = \"205 GPa\"\n"
-           "poisson_ratio = 0.3\nhardness = \"6 GPa\"\n[material.lower]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = "
-           "0.3\n"
-           "hardness = \"6 GPa\"\n[contact]\nlaws = [\"hybrid\", \"summits\", \"persson\", \"plastic\"]\npressures = "
-           "[\"10 MPa\"]\n";
-}
-
-static void test_law_of_a_map(void) {
-    const char* text = scene_of_a_map();
-    for (size_t i = 0; i < 4; ++i) {
-        fstiff_contact* contact = NULL;
-        CHECK(fstiff_contact_of_scene(text, strlen(text), NULL, i, 0, &contact) == FSTIFF_OK);
-        fstiff_law* law = NULL;
-        CHECK(fstiff_law_make(contact, 5e6, 5e7, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
-        fstiff_law_facts facts = {.size = sizeof facts};
-        CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.relative_error <= 1e-3);
-        double pressures[9], separations[9], wanted[9], k[9], p[9];
-        for (size_t j = 0; j < 9; ++j) pressures[j] = 5.1e6 * pow(1.3, (double)j);
-        const fstiff_points points = {sizeof points, NULL, separations, wanted, NULL, NULL, NULL, NULL, NULL};
-        CHECK(fstiff_contact_at_pressures(contact, pressures, 9, &points) == FSTIFF_OK);
-        CHECK(fstiff_law_at_pressures(law, pressures, 9, NULL, k, NULL) == FSTIFF_OK);
-        CHECK(fstiff_law_at_separations(law, separations, 9, p, NULL, NULL) == FSTIFF_OK);
-        for (size_t j = 0; j < 9; ++j) {
-            CHECK(fabs(k[j] / wanted[j] - 1) < 1e-3);
-            CHECK(fabs(p[j] / pressures[j] - 1) < 1e-3);
-        }
-        fstiff_law_free(law);
-        fstiff_contact_free(contact);
-    }
-    remove("waves.sdf");
-}
-
-static void check_measured(const char* key, const fstiff_surface* found) {
+static void check_measured(const char* key, const fstiff_surface* found, int with_shape) {
     size_t count;
     double* wanted = numbers_of(key, &count);
     const fstiff_measured all[] = {
-        found->rms_height,        found->peak_radius, found->peak_density, found->fractal_dimension,
-        found->fractal_roughness, found->r,           found->theta};
-    CHECK(count == 14);
-    for (size_t i = 0; i < 7; ++i) {
-        CHECK(all[i].value == wanted[2 * i]);
-        CHECK(all[i].error == wanted[2 * i + 1]);
+        found->rms_height,        found->peak_radius, found->peak_density,   found->fractal_dimension,
+        found->fractal_roughness, found->r,           found->theta,          found->rms_gradient,
+        found->skewness,          found->kurtosis,    found->max_peak_height};
+    const size_t known = with_shape ? 11 : 7;
+    CHECK(count == 2 * known + (with_shape ? 3 : 0));
+    for (size_t i = 0; i < known; ++i) {
+        CHECK(all[i].value == wanted[2 * i] && all[i].error == wanted[2 * i + 1]);
         CHECK(all[i].known == (wanted[2 * i] != 0));
+    }
+    if (with_shape) {
+        CHECK(found->lambda_s == wanted[22] && found->lambda_c == wanted[23]);
+        CHECK((double)found->peaks == wanted[24]);
     }
     free(wanted);
 }
@@ -526,13 +481,13 @@ static void test_measurement(void) {
     fstiff_surface surface = {.size = sizeof surface};
     size_t count;
     double* heights = numbers_of("profile", &count);
-    CHECK(fstiff_measure_profile(heights, count, 1e-6, &options, &surface) == FSTIFF_OK);
-    check_measured("profile/measured", &surface);
+    OK(fstiff_measure_profile(heights, count, 1e-6, &options, &surface));
+    check_measured("profile/measured", &surface, 0);
     CHECK(surface.lambda_s == 0 && surface.lambda_c == 0 && surface.peaks > 100 && surface.rms_gradient.known);
     /* by the table of the standards: five steps; the short waves are gone */
     const double rough = surface.rms_gradient.value;
-    CHECK(fstiff_measure_profile(heights, count, 1e-6, NULL, &surface) == FSTIFF_OK);
-    check_measured("profile/default", &surface);
+    OK(fstiff_measure_profile(heights, count, 1e-6, NULL, &surface));
+    check_measured("profile/default", &surface, 1);
     CHECK(surface.lambda_s >= 5e-6 * 0.999 && surface.rms_gradient.value < rough);
     options.lambda_s = 20e-6;
     CHECK(fstiff_measure_profile(heights, count, 1e-6, &options, &surface) == FSTIFF_OK && surface.lambda_s == 20e-6);
@@ -543,10 +498,13 @@ static void test_measurement(void) {
     heights = numbers_of("map", &count);
     double* sides = numbers_of("map/sides", &four);
     const size_t rows = (size_t)sides[0], columns = (size_t)sides[1];
-    CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_OK);
-    check_measured("map/measured", &surface);
-    CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], NULL, &surface) == FSTIFF_OK);
-    check_measured("map/default", &surface);
+    OK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface));
+    check_measured("map/measured", &surface, 0);
+    OK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], NULL, &surface));
+    check_measured("map/default", &surface, 1);
+    heights[3 * columns + 4] = (double)NAN;
+    OK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], NULL, &surface));
+    check_measured("map/missing", &surface, 1);
     options.detrend = "ellipsoid";
     CHECK(fstiff_measure_map(heights, rows, columns, sides[2], sides[3], &options, &surface) == FSTIFF_REFUSED);
     CHECK(strstr(fstiff_last_message(), "ellipsoid"));
@@ -554,66 +512,7 @@ static void test_measurement(void) {
     free(sides);
 }
 
-/* ---- Documents ---- */
-
-/* Truth: the profile of C++, whose mean square is the power under its spectrum. */
-static void test_documents(void) {
-    size_t count, found;
-    double* heights = numbers_of("profile", &count);
-    fstiff_document* made;
-    CHECK(fstiff_generate("kind = profile\nhurst = 0.7\nrms = 1 um\n\nspacing=1e-6", &made) == FSTIFF_OK);
-    double* again = malloc(count * sizeof *again);
-    if (!again) exit(1);
-    CHECK(fstiff_document_numbers(made, "heights_m", again, count, &found) == FSTIFF_OK && found == count);
-    CHECK(memcmp(heights, again, count * sizeof *again) == 0 && !fstiff_document_is_doubtful(made));
-    fstiff_document_free(made);
-    const fstiff_heights of = {sizeof of, heights, 0, count, 1e-6, 0};
-    CHECK(fstiff_spectrum(&of, "taper = none\nlambda_s = none\nlambda_c = none", &made) == FSTIFF_OK);
-    double rms, power = 0;
-    CHECK(fstiff_document_numbers(made, "rms_height_m", &rms, 1, &found) == FSTIFF_OK && found == 1);
-    CHECK(fstiff_document_numbers(made, "psd.psd_m3", again, count, &found) == FSTIFF_OK && found == count / 2);
-    again[found - 1] /= 2; /* the wave at two samples is its own mirror image */
-    for (size_t i = 0; i < found; ++i) power += again[i] * 2 * 3.14159265358979323846 / ((double)count * 1e-6);
-    CHECK(fabs(power / (rms * rms) - 1) < 1e-12);
-    fstiff_document_free(made);
-    fstiff_document_free(NULL);
-    free(heights);
-    free(again);
-}
-
-/* h = k K/E of the answer and of the laws, with the band of K. */
-static void test_conductance(void) {
-    static const char scene[] =
-        "material = { upper = \"steel\", lower = \"aluminium\" }\n[surface]\nrms_height = \"0.8 um\"\n"
-        "rms_gradient = 0.1\n[contact]\npressures = [\"1 MPa\"]\n[gap]\nmedium = \"argon\"\n";
-    static const char* const ends[] = {"", "_p05", "_p95"};
-    fstiff_document* made;
-    CHECK(fstiff_run(scene, strlen(scene), "scene", NULL, &made) == FSTIFF_OK);
-    const double k = 2 * 53.3 * 237 / (53.3 + 237), E = 1 / ((1 - 0.09) / 210e9 + (1 - 0.345 * 0.345) / 70.3e9);
-    for (int i = 0; i < 6; ++i) {
-        char of[80];
-        double K, h;
-        size_t found;
-        const char *list = i < 3 ? "answer" : "rows", *end = ends[i % 3];
-        snprintf(of, sizeof of, "%s.*.stiffness%s_Pa_per_m", list, end);
-        CHECK(fstiff_document_numbers(made, of, &K, 1, &found) == FSTIFF_OK && found == 1);
-        snprintf(of, sizeof of, "%s.*.thermal_conductance%s_W_per_m2K", list, end);
-        CHECK(fstiff_document_numbers(made, of, &h, 1, &found) == FSTIFF_OK && found == 1);
-        CHECK(K > 0 && fabs(h / (k * K / E) - 1) < 1e-12);
-    }
-    fstiff_document_free(made);
-}
-
 /* ---- The answer of a joint ---- */
-
-/* Numbers of the answer of a scene, at path. */
-static void of_scene(const char* scene, const char* path, double* values, size_t count) {
-    fstiff_document* made = NULL;
-    size_t found = 0;
-    CHECK(fstiff_run(scene, strlen(scene), "scene", NULL, &made) == FSTIFF_OK);
-    CHECK(fstiff_document_numbers(made, path, values, count, &found) == FSTIFF_OK && found == count);
-    fstiff_document_free(made);
-}
 
 /* K, its band and its law of numbers, of two faces and of heights are those of a scene to the last digit. */
 static void test_answer(void) {
@@ -639,16 +538,20 @@ static void test_answer(void) {
                                      .law = law,
                                      .status = status};
     CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OK && doubtful == 0);
-    of_scene(scene, "answer.*.stiffness_Pa_per_m", wanted, 2);
-    CHECK(K[0] == wanted[0] && K[1] == wanted[1]);
-    of_scene(scene, "answer.*.stiffness_p05_Pa_per_m", wanted, 2);
-    CHECK(low[0] == wanted[0] && low[1] == wanted[1]);
-    of_scene(scene, "answer.*.stiffness_p95_Pa_per_m", wanted, 2);
-    CHECK(high[0] == wanted[0] && high[1] == wanted[1]);
-    of_scene(scene, "answer.*.loading_stiffness_Pa_per_m", wanted, 2);
-    CHECK(loading[0] == wanted[0] && loading[1] == wanted[1]);
-    of_scene(scene, "answer.*.causes.prior", wanted, 2);
-    CHECK(causes[FSTIFF_CAUSE_PRIOR] == wanted[0] && causes[FSTIFF_CAUSES + FSTIFF_CAUSE_PRIOR] == wanted[1]);
+    const double prior[2] = {causes[FSTIFF_CAUSE_PRIOR], causes[FSTIFF_CAUSES + FSTIFF_CAUSE_PRIOR]};
+    const double* const found[] = {K, low, high, loading, prior};
+    const char* const paths[] = {"stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m",
+                                 "loading_stiffness_Pa_per_m", "causes.prior"};
+    fstiff_document* made = NULL;
+    OK(fstiff_run(scene, strlen(scene), "scene", NULL, &made));
+    for (int i = 0; i < 5; ++i) {
+        char path[64];
+        size_t count;
+        snprintf(path, sizeof path, "answer.*.%s", paths[i]);
+        CHECK(fstiff_document_numbers(made, path, wanted, 2, &count) == FSTIFF_OK && count == 2);
+        CHECK(memcmp(found[i], wanted, sizeof wanted) == 0);
+    }
+    fstiff_document_free(made);
     CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_MEASUREMENT), "measurement") == 0);
     CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_LONG_WAVES), "long_waves") == 0);
     CHECK(strcmp(fstiff_cause_name(FSTIFF_CAUSE_NOISE), "noise") == 0 && FSTIFF_CAUSE_NOISE + 1 == FSTIFF_CAUSES);
@@ -658,13 +561,12 @@ static void test_answer(void) {
     double low_of_area[2], separation[2], heat[2] = {1, 1};
     double* numbers[] = {low_of_area, separation, heat};
     fstiff_answer_points by_key = {.size = sizeof by_key, .key_count = 3, .keys = keys, .numbers = numbers};
-    CHECK(fstiff_answer(&joint, pressures, 2, &by_key, NULL) == FSTIFF_OK);
+    OK(fstiff_answer(&joint, pressures, 2, &by_key, NULL));
     CHECK(low_of_area[0] == low[0] * 1e-4 && separation[0] > separation[1] && heat[0] == 0);
     keys[1] = "separation";
-    REFUSES(FSTIFF_REFUSED, "keys = \"separation\": must be one of force_N, ",
-            fstiff_answer(&joint, pressures, 2, &by_key, NULL));
+    REFUSES("keys = \"separation\": must be one of force_N, ", fstiff_answer(&joint, pressures, 2, &by_key, NULL));
     keys[1] = NULL;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "keys", fstiff_answer(&joint, pressures, 2, &by_key, NULL));
+    BAD("keys", fstiff_answer(&joint, pressures, 2, &by_key, NULL));
     face.mean_height = 0.8; /* micrometres */
     CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OK && doubtful == 1);
     CHECK(strstr(fstiff_last_message(), "m is above 1 mm: a unit is likely wrong") != NULL);
@@ -673,7 +575,7 @@ static void test_answer(void) {
     CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_REFUSED);
     CHECK(strstr(fstiff_last_message(), "lower.youngs_modulus = 0: must be") != NULL);
     joint.lower = (fstiff_solid){210e9, 0.3, 0, 3e9};
-    CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OK);
+    OK(fstiff_answer(&joint, pressures, 2, &to, &doubtful));
     CHECK(strcmp(fstiff_law_name(law[0]), "plastic") == 0 && status[1] == FSTIFF_OK);
     CHECK(strcmp(fstiff_law_name(-1), "unknown law") == 0 && strcmp(fstiff_law_name(999), "unknown law") == 0);
 
@@ -695,19 +597,18 @@ static void test_answer(void) {
     joint.samples = 50;
     CHECK(fstiff_answer(&joint, pressures, 2, &to, NULL) == FSTIFF_OK && K[0] == without && low[0] < K[0]);
 
-    REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_answer(NULL, pressures, 2, &to, NULL));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_answer(&joint, NULL, 2, &to, NULL));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures: must have at least one", fstiff_answer(&joint, pressures, 0, &to, NULL));
-    REFUSES(FSTIFF_REFUSED, "pressure = -1", fstiff_answer(&joint, (const double[]){1e6, -1}, 2, &to, NULL));
+    BAD("joint", fstiff_answer(NULL, pressures, 2, &to, NULL));
+    BAD("pressures", fstiff_answer(&joint, NULL, 2, &to, NULL));
+    BAD("pressures: must have at least one", fstiff_answer(&joint, pressures, 0, &to, NULL));
+    REFUSES("pressure = -1", fstiff_answer(&joint, (const double[]){1e6, -1}, 2, &to, NULL));
     joint.face = NULL;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "face", fstiff_answer(&joint, pressures, 2, &to, NULL));
+    BAD("face", fstiff_answer(&joint, pressures, 2, &to, NULL));
     joint.face = &face, face.rms_height = 1e-6;
-    REFUSES(FSTIFF_REFUSED, "mean_height: must not be given with rms_height",
-            fstiff_answer(&joint, pressures, 2, &to, NULL));
+    REFUSES("mean_height: must not be given with rms_height", fstiff_answer(&joint, pressures, 2, &to, NULL));
     face.rms_height = 0, face.process = 99;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "process = 99", fstiff_answer(&joint, pressures, 2, &to, NULL));
+    BAD("process = 99", fstiff_answer(&joint, pressures, 2, &to, NULL));
     face.process = 0, face.mean_height = NAN;
-    REFUSES(FSTIFF_REFUSED, "mean_height = nan", fstiff_answer(&joint, pressures, 2, &to, NULL));
+    REFUSES("mean_height = nan", fstiff_answer(&joint, pressures, 2, &to, NULL));
     face.mean_height = 0.8e-6, joint.other = NULL, joint.upper.hardness = 50e6;
     CHECK(fstiff_answer(&joint, pressures, 2, &to, &doubtful) == FSTIFF_OUT_OF_REACH && doubtful == 1);
     CHECK(strstr(fstiff_last_message(), "is above the hardness") != NULL);
@@ -727,27 +628,26 @@ static void test_law_of_answer(void) {
     double ends[3][n];
     const fstiff_answer_points to = {
         .size = sizeof to, .stiffness_p05 = ends[0], .stiffness = ends[1], .stiffness_p95 = ends[2]};
-    CHECK(fstiff_answer(&joint, pressures, n, &to, NULL) == FSTIFF_OK);
+    OK(fstiff_answer(&joint, pressures, n, &to, NULL));
     fstiff_law* law;
     for (int q = 0; q < 3; ++q) {
-        CHECK(fstiff_answer_law(&joint, pressures, n, quantiles[q], 0, 0, FSTIFF_OUTSIDE_EXTRAPOLATE, &law) ==
-              FSTIFF_OK);
+        OK(fstiff_answer_law(&joint, pressures, n, quantiles[q], 0, 0, FSTIFF_OUTSIDE_EXTRAPOLATE, &law));
         fstiff_law_facts facts = {.size = sizeof facts};
         CHECK(fstiff_law_facts_of(law, &facts) == FSTIFF_OK && facts.stiffness_is_slope == 1);
         CHECK(facts.min_pressure == pressures[0] && facts.max_pressure == pressures[n - 1]);
         for (int i = 0; i < n; ++i) {
             const double* of_cpp = laws + 3 * (q * n + i);
             double d, K, p, slope;
-            CHECK(fstiff_law_at_pressure(law, pressures[i], &d, &K, NULL) == FSTIFF_OK);
-            CHECK(fstiff_law_at_separation(law, d, &p, NULL, &slope) == FSTIFF_OK);
+            OK(fstiff_law_at_pressure(law, pressures[i], &d, &K, NULL));
+            OK(fstiff_law_at_separation(law, d, &p, NULL, &slope));
             CHECK(d == of_cpp[0] && K == of_cpp[1] && slope == of_cpp[2]);
             CHECK(fabs(slope / ends[q][i] - 1) < 1e-3);
         }
         fstiff_law_free(law);
     }
-    CHECK(fstiff_answer_law(&joint, pressures, n, 0.5, 2e6, 5e7, FSTIFF_OUTSIDE_CLAMP, &law) == FSTIFF_OK);
+    OK(fstiff_answer_law(&joint, pressures, n, 0.5, 2e6, 5e7, FSTIFF_OUTSIDE_CLAMP, &law));
     double at_end = 0, K = 0;
-    CHECK(fstiff_law_at_pressure(law, 5e7, NULL, &at_end, NULL) == FSTIFF_OK);
+    OK(fstiff_law_at_pressure(law, 5e7, NULL, &at_end, NULL));
     CHECK(fstiff_law_at_pressure(law, 9e9, NULL, &K, NULL) == FSTIFF_OK && K == at_end);
     fstiff_law_free(law);
     free(pressures);
@@ -760,16 +660,15 @@ static void test_refusals_of_law_of_answer(void) {
     fstiff_joint joint = {.size = sizeof joint, .face = &face, .samples = -1};
     joint.upper = joint.lower = (fstiff_solid){210e9, 0.3, 0, 2e9};
     fstiff_law* law = NULL;
-    REFUSES(FSTIFF_REFUSED, "quantile = 0.1: must be 0.05, 0.5 or 0.95",
-            fstiff_answer_law(&joint, pressures, 3, 0.1, 0, 0, 0, &law));
-    REFUSES(FSTIFF_REFUSED, "max_pressure = ", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 1e8, 0, &law));
-    REFUSES(FSTIFF_REFUSED, "min_pressure = nan", fstiff_answer_law(&joint, pressures, 3, 0.5, NAN, 0, 0, &law));
-    REFUSES(FSTIFF_REFUSED, "points with a stiffness = 1", fstiff_answer_law(&joint, pressures, 1, 0.5, 0, 0, 0, &law));
-    REFUSES(FSTIFF_REFUSED, "outside", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, FSTIFF_OUTSIDE_EXACT, &law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "outside = 4", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, 4, &law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_answer_law(NULL, pressures, 3, 0.5, 0, 0, 0, &law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_answer_law(&joint, NULL, 3, 0.5, 0, 0, 0, &law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "made", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, 0, NULL));
+    REFUSES("quantile = 0.1: must be 0.05, 0.5 or 0.95", fstiff_answer_law(&joint, pressures, 3, 0.1, 0, 0, 0, &law));
+    REFUSES("max_pressure = ", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 1e8, 0, &law));
+    REFUSES("min_pressure = nan", fstiff_answer_law(&joint, pressures, 3, 0.5, NAN, 0, 0, &law));
+    REFUSES("points with a stiffness = 1", fstiff_answer_law(&joint, pressures, 1, 0.5, 0, 0, 0, &law));
+    REFUSES("outside", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, FSTIFF_OUTSIDE_EXACT, &law));
+    BAD("outside = 4", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, 4, &law));
+    BAD("joint", fstiff_answer_law(NULL, pressures, 3, 0.5, 0, 0, 0, &law));
+    BAD("pressures", fstiff_answer_law(&joint, NULL, 3, 0.5, 0, 0, 0, &law));
+    BAD("made", fstiff_answer_law(&joint, pressures, 3, 0.5, 0, 0, 0, NULL));
     CHECK(law == NULL);
 }
 
@@ -783,18 +682,18 @@ static void test_nan_in_laws(const fstiff_contact* hertz) {
         double p = -7, k = -7;
         int status[2];
         const char* why = outside == FSTIFF_OUTSIDE_EXACT ? " = nan: must be " : " = nan: must be a number";
-        CHECK(fstiff_law_make(hertz, 1e5, 1e6, outside, &law) == FSTIFF_OK);
+        OK(fstiff_law_make(hertz, 1e5, 1e6, outside, &law));
         for (int i = 0; i < 2; ++i) {
-            REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_separation(law, nans[i], &p, &k, NULL));
+            REFUSES(why, fstiff_law_at_separation(law, nans[i], &p, &k, NULL));
             CHECK(strncmp(fstiff_last_message(), "separation = nan", 16) == 0);
-            REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_pressure(law, nans[i], &p, &k, NULL));
+            REFUSES(why, fstiff_law_at_pressure(law, nans[i], &p, &k, NULL));
             CHECK(strncmp(fstiff_last_message(), "pressure = nan", 14) == 0);
-            REFUSES(FSTIFF_REFUSED, "separation = nan: must be a number", fstiff_law_energy(law, nans[i], &p));
+            REFUSES("separation = nan: must be a number", fstiff_law_energy(law, nans[i], &p));
         }
         double many[2];
-        REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_separations(law, nans, 2, many, NULL, status));
-        REFUSES(FSTIFF_REFUSED, why, fstiff_law_tangents_at_separations(law, nans, 2, many, NULL, status));
-        REFUSES(FSTIFF_REFUSED, why, fstiff_law_at_pressures(law, nans, 2, many, NULL, status));
+        REFUSES(why, fstiff_law_at_separations(law, nans, 2, many, NULL, status));
+        REFUSES(why, fstiff_law_tangents_at_separations(law, nans, 2, many, NULL, status));
+        REFUSES(why, fstiff_law_at_pressures(law, nans, 2, many, NULL, status));
         CHECK(p == -7 && k == -7 && status[0] == FSTIFF_REFUSED && status[1] == FSTIFF_REFUSED);
         fstiff_law_free(law);
     }
@@ -806,60 +705,34 @@ static void test_lost_pointers(void) {
     const size_t lengths[] = {1, 3, 1000, SIZE_MAX};
     for (size_t i = 0; i < 4; ++i) {
         const size_t n = lengths[i];
-        REFUSES(FSTIFF_BAD_ARGUMENT, "scene: must not be NULL", fstiff_run(NULL, n, "x", NULL, &document));
+        BAD("scene: must not be NULL", fstiff_run(NULL, n, "x", NULL, &document));
         CHECK(document == NULL);
-        REFUSES(FSTIFF_BAD_ARGUMENT, "scene: must not be NULL", fstiff_export(NULL, n, NULL, "to = law", &document));
-        REFUSES(FSTIFF_BAD_ARGUMENT, "scene: must not be NULL",
-                fstiff_identify(NULL, n, NULL, NULL, "fit = sigma", &document));
+        BAD("scene: must not be NULL", fstiff_export(NULL, n, NULL, "to = law", &document));
+        BAD("scene: must not be NULL", fstiff_identify(NULL, n, NULL, NULL, "fit = sigma", &document));
         fstiff_contact* contact;
         fstiff_law* law;
-        REFUSES(FSTIFF_BAD_ARGUMENT, "text: must not be NULL", fstiff_contact_of_scene(NULL, n, NULL, 0, 0, &contact));
-        REFUSES(FSTIFF_BAD_ARGUMENT, "text: must not be NULL", fstiff_law_of_text(NULL, n, &law));
+        BAD("text: must not be NULL", fstiff_contact_of_scene(NULL, n, NULL, 0, 0, &contact));
+        BAD("text: must not be NULL", fstiff_law_of_text(NULL, n, &law));
     }
-    CHECK(fstiff_export(NULL, 0, NULL, "to = law", &document) == FSTIFF_OK); /* the built-in scene */
+    OK(fstiff_export(NULL, 0, NULL, "to = law", &document)); /* the built-in scene */
     double some;
     size_t count;
     char word[4];
-    REFUSES(FSTIFF_BAD_ARGUMENT, "buffer: must not be NULL", fstiff_document_text(document, NULL, 9, &count));
+    BAD("buffer: must not be NULL", fstiff_document_text(document, NULL, 9, &count));
     fstiff_document_free(document);
-    CHECK(fstiff_run(NULL, 0, NULL, NULL, &document) == FSTIFF_OK);
-    REFUSES(FSTIFF_BAD_ARGUMENT, "values: must not be NULL",
-            fstiff_document_numbers(document, "answer.*.pressure_Pa", NULL, 9, &count));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "path: must not be NULL", fstiff_document_numbers(document, NULL, &some, 1, &count));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "buffer: must not be NULL",
-            fstiff_document_word(document, "answer.0.law", NULL, sizeof word, &count));
+    OK(fstiff_run(NULL, 0, NULL, NULL, &document));
+    BAD("values: must not be NULL", fstiff_document_numbers(document, "answer.*.pressure_Pa", NULL, 9, &count));
+    BAD("path: must not be NULL", fstiff_document_numbers(document, NULL, &some, 1, &count));
+    BAD("buffer: must not be NULL", fstiff_document_word(document, "answer.0.law", NULL, sizeof word, &count));
     fstiff_document_free(document);
     const double one[] = {1e6};
     const fstiff_measured_curve lost[] = {{sizeof lost[0], NULL, one, NULL, 1, 0},
                                           {sizeof lost[0], one, NULL, NULL, 1, 0}};
     for (int i = 0; i < 2; ++i)
-        REFUSES(FSTIFF_BAD_ARGUMENT, i ? "values: must not be NULL" : "pressures: must not be NULL",
-                fstiff_identify(NULL, 0, NULL, &lost[i], "fit = sigma", &document));
+        BAD(i ? "values: must not be NULL" : "pressures: must not be NULL",
+            fstiff_identify(NULL, 0, NULL, &lost[i], "fit = sigma", &document));
     const fstiff_heights no_heights = {sizeof no_heights, NULL, 4, 4, 1e-6, 1e-6};
-    REFUSES(FSTIFF_BAD_ARGUMENT, "heights: must not be NULL", fstiff_spectrum(&no_heights, NULL, &document));
-}
-
-/* sigma and rms gradient alone: K is that of the answer of a scene with the two. */
-static void test_hybrid_of_gradient(void) {
-    static const char scene[] =
-        "material.upper = \"steel\"\nsurface = { rms_height = \"0.8 um\", rms_gradient = 0.1 }\n"
-        "contact = { pressures = [\"2 MPa\"], laws = [\"hybrid\"] }\noutput.quantities = [\"stiffness\"]\n";
-    const fstiff_face face = {.size = sizeof face, .rms_height = 0.8e-6, .rms_gradient = 0.1};
-    fstiff_joint joint = joint_of(&face);
-    joint.effective_modulus = 210e9 / (2 * (1 - 0.09));
-    const double pressure = 2e6;
-    double stiffness, wanted = 0;
-    size_t count;
-    const fstiff_points points = {.size = sizeof points, .stiffness = &stiffness};
-    fstiff_document* made = NULL;
-    fstiff_contact* hybrid = NULL;
-    CHECK(fstiff_run(scene, strlen(scene), NULL, NULL, &made) == FSTIFF_OK);
-    CHECK(fstiff_document_numbers(made, "rows.0.stiffness_Pa_per_m", &wanted, 1, &count) == FSTIFF_OK);
-    CHECK(fstiff_contact_make("hybrid", &joint, &hybrid) == FSTIFF_OK);
-    CHECK(fstiff_contact_at_pressures(hybrid, &pressure, 1, &points) == FSTIFF_OK);
-    CHECK(wanted > 0 && fabs(stiffness / wanted - 1) < 1e-14);
-    fstiff_contact_free(hybrid);
-    fstiff_document_free(made);
+    BAD("heights: must not be NULL", fstiff_spectrum(&no_heights, NULL, &document));
 }
 
 static void test_refusals(void) {
@@ -867,22 +740,22 @@ static void test_refusals(void) {
     fstiff_face fine = fine_face();
     fstiff_joint joint = joint_of(&fine);
     fstiff_contact* none = (fstiff_contact*)&fine;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "law: must not be NULL", fstiff_contact_make(NULL, &joint, &none));
+    BAD("law: must not be NULL", fstiff_contact_make(NULL, &joint, &none));
     CHECK(none == NULL);
-    REFUSES(FSTIFF_BAD_ARGUMENT, "made: must not be NULL", fstiff_contact_make("hertz", &joint, NULL));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "joint", fstiff_contact_make("hertz", NULL, &none));
+    BAD("made: must not be NULL", fstiff_contact_make("hertz", &joint, NULL));
+    BAD("joint", fstiff_contact_make("hertz", NULL, &none));
     joint.face = NULL;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "face", fstiff_contact_make("hertz", &joint, &none));
+    BAD("face", fstiff_contact_make("hertz", &joint, &none));
     joint = joint_of(&fine);
     fine.size = 8;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "face->size = 8", fstiff_contact_make("hertz", &joint, &none));
+    BAD("face->size = 8", fstiff_contact_make("hertz", &joint, &none));
     fine.size = SIZE_MAX;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "face->size", fstiff_contact_make("hertz", &joint, &none));
+    BAD("face->size", fstiff_contact_make("hertz", &joint, &none));
     fine = fine_face();
-    REFUSES(FSTIFF_REFUSED, "must be one of", fstiff_contact_make("herz", &joint, &none));
-    REFUSES(FSTIFF_REFUSED, "must be one of", fstiff_contact_make("", &joint, &none));
-    REFUSES(FSTIFF_REFUSED, "needs a measured map", fstiff_contact_make("summits", &joint, &none));
-    REFUSES(FSTIFF_REFUSED, "needs", fstiff_contact_make("plastic", &joint, &none));
+    REFUSES("must be one of", fstiff_contact_make("herz", &joint, &none));
+    REFUSES("must be one of", fstiff_contact_make("", &joint, &none));
+    REFUSES("needs a measured map", fstiff_contact_make("summits", &joint, &none));
+    REFUSES("needs", fstiff_contact_make("plastic", &joint, &none));
     double* const fields[] = {
         &fine.rms_height,     &fine.peak_radius,       &fine.peak_density, &fine.r,
         &fine.theta,          &fine.fractal_dimension, &fine.rms_gradient, &joint.effective_modulus,
@@ -893,30 +766,29 @@ static void test_refusals(void) {
             const double good = *fields[i];
             if (fields[i] == &joint.upper.hardness && j == 2) continue;  // a body that never yields
             *fields[i] = bad[j];
-            REFUSES(FSTIFF_REFUSED, "must be", fstiff_contact_make("fractal", &joint, &none));
+            REFUSES("must be", fstiff_contact_make("fractal", &joint, &none));
             CHECK(none == NULL);
             *fields[i] = good;
         }
     joint.interaction = 7;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "interaction = 7", fstiff_contact_make("hertz", &joint, &none));
+    BAD("interaction = 7", fstiff_contact_make("hertz", &joint, &none));
     joint.interaction = FSTIFF_EFFECTIVE_SEPARATION;
-    REFUSES(FSTIFF_REFUSED, "interaction length", fstiff_contact_make("hertz", &joint, &none));
+    REFUSES("interaction length", fstiff_contact_make("hertz", &joint, &none));
 
-    REFUSES(FSTIFF_BAD_ARGUMENT, "text", fstiff_contact_of_scene(NULL, 0, NULL, 0, 0, &none));
-    REFUSES(FSTIFF_REFUSED, "scene", fstiff_contact_of_scene("", 0, NULL, 0, 0, &none));
-    REFUSES(FSTIFF_REFUSED, "s.toml", fstiff_contact_of_scene("a = [", 5, "s.toml", 0, 0, &none));
+    BAD("text", fstiff_contact_of_scene(NULL, 0, NULL, 0, 0, &none));
+    REFUSES("scene", fstiff_contact_of_scene("", 0, NULL, 0, 0, &none));
+    REFUSES("s.toml", fstiff_contact_of_scene("a = [", 5, "s.toml", 0, 0, &none));
 
     static results found;
     fstiff_points points = points_of(&found);
     fstiff_contact* hertz = contact_of("hertz");
     const double some[] = {1e6, (double)NAN, -1, 0, 1e-320, 1e300, 2e6};
-    REFUSES(FSTIFF_BAD_ARGUMENT, "contact", fstiff_contact_at_pressures(NULL, some, 7, &points));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "pressures", fstiff_contact_at_pressures(hertz, NULL, 7, &points));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "at least one", fstiff_contact_at_pressures(hertz, some, 0, &points));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "must fit into memory",
-            fstiff_contact_at_pressures(hertz, some, SIZE_MAX / 2, &points));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "points", fstiff_contact_at_pressures(hertz, some, 7, NULL));
-    REFUSES(FSTIFF_REFUSED, "pressure = nan", fstiff_contact_at_pressures(hertz, some, 7, &points));
+    BAD("contact", fstiff_contact_at_pressures(NULL, some, 7, &points));
+    BAD("pressures", fstiff_contact_at_pressures(hertz, NULL, 7, &points));
+    BAD("at least one", fstiff_contact_at_pressures(hertz, some, 0, &points));
+    BAD("must fit into memory", fstiff_contact_at_pressures(hertz, some, SIZE_MAX / 2, &points));
+    BAD("points", fstiff_contact_at_pressures(hertz, some, 7, NULL));
+    REFUSES("pressure = nan", fstiff_contact_at_pressures(hertz, some, 7, &points));
     const int wanted[] = {FSTIFF_OK,           FSTIFF_REFUSED,      FSTIFF_REFUSED, FSTIFF_REFUSED,
                           FSTIFF_OUT_OF_REACH, FSTIFF_OUT_OF_REACH, FSTIFF_OK};
     for (size_t i = 0; i < 7; ++i) {
@@ -924,14 +796,13 @@ static void test_refusals(void) {
         for (size_t j = 0; j < 7; ++j) CHECK(wanted[i] == FSTIFF_OK ? found.of[j][i] > 0 : found.of[j][i] == 0);
     }
     points.size = 0;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "points->size = 0", fstiff_contact_at_separations(hertz, some, 7, &points));
+    BAD("points->size = 0", fstiff_contact_at_separations(hertz, some, 7, &points));
 
     fstiff_contact* persson;
     fine.rms_gradient = 0.1, joint = joint_of(&fine);
-    CHECK(fstiff_contact_make("persson", &joint, &persson) == FSTIFF_OK);
+    OK(fstiff_contact_make("persson", &joint, &persson));
     points = points_of(&found);
-    REFUSES(FSTIFF_REFUSED, "law persson: gives no contact_density",
-            fstiff_contact_at_pressures(persson, some, 1, &points));
+    REFUSES("law persson: gives no contact_density", fstiff_contact_at_pressures(persson, some, 1, &points));
     points.contact_density = NULL;
     CHECK(fstiff_contact_at_pressures(persson, some, 1, &points) == FSTIFF_OK && found.of[2][0] > 0);
     fstiff_contact_free(persson);
@@ -940,38 +811,38 @@ static void test_refusals(void) {
     double stiffness[2];
     for (int skewed = 0; skewed < 2; ++skewed) {
         fine.skewness = skewed ? -1 : 0, fine.kurtosis = skewed ? 4.5 : 3;
-        CHECK(fstiff_contact_make("hybrid", &joint, &hybrid) == FSTIFF_OK);
-        CHECK(fstiff_contact_at_pressures(hybrid, some, 1, &points) == FSTIFF_OK);
+        OK(fstiff_contact_make("hybrid", &joint, &hybrid));
+        OK(fstiff_contact_at_pressures(hybrid, some, 1, &points));
         stiffness[skewed] = found.of[2][0];
         fstiff_contact_free(hybrid);
     }
     CHECK(stiffness[1] > 1.5 * stiffness[0]);
     fine.kurtosis = 0;
-    REFUSES(FSTIFF_REFUSED, "skewness: needs kurtosis", fstiff_contact_make("hybrid", &joint, &hybrid));
+    REFUSES("skewness: needs kurtosis", fstiff_contact_make("hybrid", &joint, &hybrid));
     fine.kurtosis = 1.5;
-    REFUSES(FSTIFF_REFUSED, "kurtosis = 1.5", fstiff_contact_make("hybrid", &joint, &hybrid));
+    REFUSES("kurtosis = 1.5", fstiff_contact_make("hybrid", &joint, &hybrid));
     fine.skewness = fine.kurtosis = 0;
 
     fstiff_law *law = NULL, *no_law;
-    REFUSES(FSTIFF_REFUSED, "max_pressure", fstiff_law_make(hertz, 1e6, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
-    REFUSES(FSTIFF_REFUSED, "min_pressure", fstiff_law_make(hertz, -1, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "outside = 9", fstiff_law_make(hertz, 1e5, 1e6, 9, &no_law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "contact", fstiff_law_make(NULL, 1e5, 1e6, 0, &no_law));
-    REFUSES(FSTIFF_REFUSED, "contact law text", fstiff_law_of_text("fstiff", 6, &no_law));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "text", fstiff_law_of_text(NULL, 6, &no_law));
-    CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    REFUSES("max_pressure", fstiff_law_make(hertz, 1e6, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
+    REFUSES("min_pressure", fstiff_law_make(hertz, -1, 1e5, FSTIFF_OUTSIDE_REFUSE, &no_law));
+    BAD("outside = 9", fstiff_law_make(hertz, 1e5, 1e6, 9, &no_law));
+    BAD("contact", fstiff_law_make(NULL, 1e5, 1e6, 0, &no_law));
+    REFUSES("contact law text", fstiff_law_of_text("fstiff", 6, &no_law));
+    BAD("text", fstiff_law_of_text(NULL, 6, &no_law));
+    OK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_REFUSE, &law));
     double p = -7, k = -7;
-    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_separation(law, 1, &p, &k, NULL));
-    REFUSES(FSTIFF_REFUSED, "the range of the law", fstiff_law_at_pressure(law, 2e9, &p, &k, NULL));
+    REFUSES("the range of the law", fstiff_law_at_separation(law, 1, &p, &k, NULL));
+    REFUSES("the range of the law", fstiff_law_at_pressure(law, 2e9, &p, &k, NULL));
     test_nan_in_laws(hertz);
     CHECK(p == -7 && k == -7);
-    REFUSES(FSTIFF_BAD_ARGUMENT, "law", fstiff_law_at_separation(NULL, 1, &p, &k, NULL));
+    BAD("law", fstiff_law_at_separation(NULL, 1, &p, &k, NULL));
     size_t length;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "length", fstiff_law_text(law, NULL, 0, NULL));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "buffer", fstiff_law_text(law, NULL, 10, &length));
+    BAD("length", fstiff_law_text(law, NULL, 0, NULL));
+    BAD("buffer", fstiff_law_text(law, NULL, 10, &length));
     fstiff_law_free(law);
-    CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_EXACT, &law) == FSTIFF_OK);
-    REFUSES(FSTIFF_REFUSED, "outside", fstiff_law_text(law, NULL, 0, &length));
+    OK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_EXACT, &law));
+    REFUSES("outside", fstiff_law_text(law, NULL, 0, &length));
     fstiff_law_free(law);
     fstiff_contact_free(hertz);
 
@@ -979,23 +850,23 @@ static void test_refusals(void) {
     fstiff_surface surface = {.size = sizeof surface};
     fstiff_measure_options options = {.size = sizeof options};
     for (int i = 0; i < 400; ++i) heights[i] = 1e-6 * (i % 7) - 2e-7 * (i % 11);
-    REFUSES(FSTIFF_BAD_ARGUMENT, "heights", fstiff_measure_profile(NULL, 400, 1e-6, NULL, &surface));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "at least one", fstiff_measure_profile(heights, 0, 1e-6, NULL, &surface));
-    REFUSES(FSTIFF_REFUSED, "spacing", fstiff_measure_profile(heights, 400, (double)NAN, NULL, &surface));
-    REFUSES(FSTIFF_BAD_ARGUMENT, "must fit into memory",
-            fstiff_measure_map(heights, SIZE_MAX, 2, 1, 1, NULL, &surface));
-    REFUSES(FSTIFF_REFUSED, "dx", fstiff_measure_map(heights, 20, 20, -1, 1, NULL, &surface));
+    BAD("heights", fstiff_measure_profile(NULL, 400, 1e-6, NULL, &surface));
+    BAD("at least one", fstiff_measure_profile(heights, 0, 1e-6, NULL, &surface));
+    REFUSES("spacing", fstiff_measure_profile(heights, 400, (double)NAN, NULL, &surface));
+    BAD("must fit into memory", fstiff_measure_map(heights, SIZE_MAX, 2, 1, 1, NULL, &surface));
+    REFUSES("dx", fstiff_measure_map(heights, 20, 20, -1, 1, NULL, &surface));
     options.resamples = -3;
-    REFUSES(FSTIFF_REFUSED, "resamples", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
+    REFUSES("resamples", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
     options.resamples = 0, options.lambda_s = (double)NAN;
-    REFUSES(FSTIFF_REFUSED, "lambda_s", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
+    REFUSES("lambda_s", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
     options.lambda_s = 0, options.shortest_lag = 1e-6;
-    REFUSES(FSTIFF_REFUSED, "longest_lag", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
+    REFUSES("longest_lag", fstiff_measure_profile(heights, 400, 1e-6, &options, &surface));
     surface.size = 1;
-    REFUSES(FSTIFF_BAD_ARGUMENT, "surface->size = 1", fstiff_measure_profile(heights, 400, 1e-6, NULL, &surface));
+    BAD("surface->size = 1", fstiff_measure_profile(heights, 400, 1e-6, NULL, &surface));
     heights[3] = (double)INFINITY, surface.size = sizeof surface;
-    REFUSES(FSTIFF_REFUSED, "height", fstiff_measure_profile(heights, 400, 1e-6, NULL, &surface));
+    REFUSES("height", fstiff_measure_profile(heights, 400, 1e-6, NULL, &surface));
 
+    fstiff_document_free(NULL);
     fstiff_contact_free(NULL);
     fstiff_law_free(NULL);
     for (int status = -1; status < 12; ++status) CHECK(strlen(fstiff_strerror(status)) > 4);
@@ -1051,7 +922,7 @@ static void* work(void* argument) {
 static void test_threads(void) {
     fstiff_contact* contact = contact_of("hertz");
     fstiff_law* law;
-    CHECK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law) == FSTIFF_OK);
+    OK(fstiff_law_make(contact, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &law));
     task tasks[2] = {{contact, law, "left", 0, 0}, {contact, law, "right", 0, 0}};
     pthread_t threads[2];
     for (int i = 0; i < 2; ++i) CHECK(pthread_create(&threads[i], NULL, work, &tasks[i]) == 0);
@@ -1087,12 +958,12 @@ static void test_random(double seconds, const char* scene_file) {
     char* scene = scene_file ? read_file(scene_file, &scene_length) : NULL;
     fstiff_contact* hertz = contact_of("hertz");
     fstiff_law* law;
-    CHECK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_CLAMP, &law) == FSTIFF_OK);
-    CHECK(fstiff_law_text(law, NULL, 0, &law_length) == FSTIFF_OK);
+    OK(fstiff_law_make(hertz, 1e5, 1e6, FSTIFF_OUTSIDE_CLAMP, &law));
+    OK(fstiff_law_text(law, NULL, 0, &law_length));
     char* law_text = malloc(law_length + 1);
     char* bytes = malloc(scene_length + law_length + 4096);
     if (!law_text || !bytes) exit(1);
-    CHECK(fstiff_law_text(law, law_text, law_length + 1, &law_length) == FSTIFF_OK);
+    OK(fstiff_law_text(law, law_text, law_length + 1, &law_length));
     fstiff_law_free(law);
     fstiff_contact_free(hertz);
     const time_t end = time(NULL) + (time_t)seconds;
@@ -1170,11 +1041,7 @@ int main(int argc, char** argv) {
         test_tangents();
         test_answer();
         test_law_of_answer();
-        test_law_of_a_map();
         test_measurement();
-        test_documents();
-        test_conductance();
-        test_hybrid_of_gradient();
         free(text);
     } else if (strcmp(part, "refusals") == 0)
         test_refusals(), test_refusals_of_friction(), test_refusals_of_law_of_answer();

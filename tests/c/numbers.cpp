@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -49,7 +50,7 @@ void print_states(const std::string& key, const Contact& contact, const std::vec
     }
 }
 
-void print_measured(const char* key, const SurfaceParameters<double>& found) {
+std::vector<double> numbers_of(const SurfaceParameters<double>& found) {
     std::vector<double> all;
     for (const auto* one : {&found.rms_height, &found.peak_radius, &found.peak_density})
         all.insert(all.end(), {one->value, one->error});
@@ -57,6 +58,17 @@ void print_measured(const char* key, const SurfaceParameters<double>& found) {
         const auto value = one->value_or(Measurement<double>{0, 0});
         all.insert(all.end(), {value.value, value.error});
     }
+    return all;
+}
+
+/// All numbers that fstiff_surface has of what measure() finds.
+void print_surface(const char* key, const Surface<double>& found) {
+    std::vector<double> all = numbers_of(found);
+    for (const auto& one :
+         {found.rms_gradient, found.heights->skewness, found.heights->kurtosis, found.max_peak_height})
+        all.insert(all.end(), {one.value, one.error});
+    all.insert(all.end(), {found.cut_offs.lambda_s.value_or(0), found.cut_offs.lambda_c.value_or(0),
+                           static_cast<double>(found.peaks_counted)});
     print(key, all);
 }
 
@@ -176,13 +188,16 @@ int main(int, char** argv) {
     surface.hurst = 0.7, surface.rms = 1e-6;
     const Profile<double> profile = self_affine_profile(surface, 4096, 1e-6);
     print("profile", profile.heights);
-    print_measured("profile/measured", detail::surface_parameters<double>(detail::level(profile, Form::line), {}));
-    print_measured("profile/default", measure(profile));
+    print("profile/measured", numbers_of(detail::surface_parameters<double>(detail::level(profile, Form::line), {})));
+    print_surface("profile/default", measure(profile));
     const HeightMap<double> map = self_affine_map(surface, 96, 64, 1e-6, 1.5e-6);
     print("map", {map.heights.data(), map.heights.data() + map.size()});
     print("map/sides", {static_cast<double>(map.rows()), static_cast<double>(map.columns()), map.dx, map.dy});
-    print_measured("map/measured", detail::surface_parameters<double>(detail::level(map, MapForm::plane), {}));
-    print_measured("map/default", measure(map));
+    print("map/measured", numbers_of(detail::surface_parameters<double>(detail::level(map, MapForm::plane), {})));
+    print_surface("map/default", measure(map));
     print_laws(map, pressures);
+    HeightMap<double> missing = map;
+    missing.heights(3, 4) = std::numeric_limits<double>::quiet_NaN();
+    print_surface("map/missing", measure(missing));
     return std::fclose(out);
 }

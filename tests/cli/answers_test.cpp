@@ -49,7 +49,7 @@ std::vector<double> numbers_at(const Document& document, const std::string& path
 }  // namespace
 
 TEST_CASE("The C interface generates the files of the command, and has its spectra") {
-    const std::string of_map = "kind = map\npoints = 32\nrows = 24\nspacing = 1e-6\nhurst = 0.8\nrms = 0.1 um";
+    const std::string of_map = "kind = map\n\npoints=32\nrows = 24\nspacing = 1e-6\nhurst = 0.8\nrms = 0.1 um";
     const auto map = made_by([&](auto made) { return fstiff_generate(of_map.c_str(), made); });
     const auto written =
         test::run_fstiff("generate map --points 32 --rows 24 --spacing '1 um' --hurst 0.8 --rms '0.1 um'");
@@ -72,6 +72,9 @@ TEST_CASE("The C interface generates the files of the command, and has its spect
         made_by([&](auto made) { return fstiff_spectrum(&array, "lambda_s = 3e-6\ntaper = none", made); });
     CHECK(numbers_at(of_array, "psd.psd_m4") == numbers_at(spectrum, "psd.psd_m4"));
     CHECK(numbers_at(of_array, "rms_height_m") == numbers_at(spectrum, "rms_height_m"));
+    const fstiff_heights row{sizeof row, heights.data(), 0, 32 * 24, 1e-6, 0};  // a profile
+    const auto of_profile = made_by([&](auto made) { return fstiff_spectrum(&row, "of = acf", made); });
+    CHECK(numbers_at(of_profile, "acf.acf.0") == std::vector<double>{1});
 }
 
 TEST_CASE("The C interface reflects, identifies and exports what the command does") {
@@ -154,17 +157,19 @@ TEST_CASE("The C interface refuses requests in one sentence") {
     refused(fstiff_spectrum(nullptr, "taper = none", &none), FSTIFF_REFUSED, "heights or the option file");
     refused(fstiff_spectrum(nullptr, "file = nowhere.csv", &none), FSTIFF_FILE, "no such file");
     refused(fstiff_spectrum(nullptr, "tapir = none", &none), FSTIFF_REFUSED, "tapir");
-    refused(fstiff_generate("kind = plane", &none), FSTIFF_REFUSED, "must be one of wm, profile, map");
-    refused(fstiff_generate("kind = map\nspacing = 1 um\nrms = 1 um", &none), FSTIFF_REFUSED, "needs hurst");
-    refused(fstiff_generate("seed 3", &none), FSTIFF_REFUSED, "key = value");
-    refused(fstiff_generate("seed = 3\nseed = 4", &none), FSTIFF_REFUSED, "seed is listed twice");
-    refused(fstiff_generate("points = 1.5", &none), FSTIFF_REFUSED, "points = 1.5");
-    refused(fstiff_identify(nullptr, 0, nullptr, nullptr, "fit = sigma\nshear = perhaps", &none), FSTIFF_REFUSED,
-            "true or false");
+    for (const auto& [options, words] : {std::pair("kind = plane", "must be one of \"wm\", \"profile\", \"map\""),
+                                         {"kind = map\nspacing = 1 um\nrms = 1 um", "needs hurst"},
+                                         {"seed 3", "key = value"},
+                                         {"seed = 3\nseed = 4", "seed is listed twice"},
+                                         {"points = 1.5", "points = 1.5"}})
+        refused(fstiff_generate(options, &none), FSTIFF_REFUSED, words);
+    for (const auto& [options, words] : {std::pair("fit = sigma\nwave = perhaps", "perhaps"),
+                                         {"fit = sigma\nshear = true", "shear is not an option"},
+                                         {"fit = sigmas", "sigmas"}})
+        refused(fstiff_identify(nullptr, 0, nullptr, nullptr, options, &none), FSTIFF_REFUSED, words);
     refused(fstiff_ultrasound(nullptr, "stiffness = 1e15\nfrequency = 7e6", &none), FSTIFF_REFUSED, "impedance");
-    refused(fstiff_identify(nullptr, 0, nullptr, nullptr, "fit = sigmas", &none), FSTIFF_REFUSED, "sigmas");
-    refused(fstiff_run(nullptr, 0, nullptr, "surface = nowhere.csv", &none), FSTIFF_REFUSED, "no such file");
-    refused(fstiff_export(nullptr, 0, nullptr, "law = persson", &none), FSTIFF_REFUSED, "persson");
+    refused(fstiff_run(nullptr, 0, nullptr, "surface = nowhere.csv", &none), FSTIFF_FILE, "no such file");
+    refused(fstiff_export(nullptr, 0, nullptr, "to = law\nlaw = summits", &none), FSTIFF_REFUSED, "summits");
     refused(fstiff_spectrum(nullptr, nullptr, nullptr), FSTIFF_BAD_ARGUMENT, "made");
     const fstiff_measured_curve empty{sizeof empty, nullptr, nullptr, nullptr, 0, 1};
     refused(fstiff_ultrasound(&empty, nullptr, &none), FSTIFF_BAD_ARGUMENT, "pressures");
@@ -173,7 +178,8 @@ TEST_CASE("The C interface refuses requests in one sentence") {
     });
     std::size_t count = 0;
     double one = 0;
-    refused(fstiff_document_numbers(wave.get(), "reflection.x", &one, 1, &count), FSTIFF_BAD_ARGUMENT, "no path");
+    refused(fstiff_document_numbers(wave.get(), "reflection.x", &one, 1, &count), FSTIFF_BAD_ARGUMENT,
+            "reflection.x: is not a path");
     refused(fstiff_document_numbers(wave.get(), "command", &one, 1, &count), FSTIFF_REFUSED, "neither a number");
     refused(fstiff_document_numbers(wave.get(), "reflection", &one, 0, &count), FSTIFF_BAD_ARGUMENT, "capacity = 0");
 }

@@ -66,21 +66,6 @@ TEST_CASE("export writes the keywords of either program, and one table in the un
     CHECK(test::relative_error(inches.overclosures.back() * 0.0254, metres.overclosures.back()) < 1e-9);
 }
 
-TEST_CASE("The ends of the table are as far apart as the separations that run prints") {
-    const test::Csv run(test::run_fstiff("run --format csv").out);
-    const auto outcome = test::run_fstiff("export --to abaqus --units m,N,Pa --from '1 MPa' --until '10 MPa'");
-    const Table table = table_of(outcome.out);
-    double at_one = 0, at_ten = 0;
-    for (std::size_t row = 0; row < 31; ++row) {
-        if (test::relative_error(run.number(row, "pressure_Pa"), 1e6) < 1e-9) at_one = run.number(row, "separation_m");
-        if (test::relative_error(run.number(row, "pressure_Pa"), 1e7) < 1e-9) at_ten = run.number(row, "separation_m");
-    }
-    REQUIRE(at_ten > 0);
-    // 1 MPa lies on the line between the first two rows
-    const double first = 1e6 * table.overclosures[1] / table.pressures[1];
-    CHECK(test::relative_error(table.overclosures.back() - first, at_one - at_ten) < 1e-8);
-}
-
 TEST_CASE("The comments give the source of the table and its range") {
     const std::string text = test::run_fstiff("export --to calculix --law hertz --peaks 2 --tolerance 5%").out;
     for (const std::string part :
@@ -230,24 +215,6 @@ TEST_CASE("export writes the law itself, of a map too, with the K that run print
         }
     }
     test::check_refused("export --to law --law boundary_elements", 3, {"boundary_elements"});
-}
-
-TEST_CASE("export replaces its own files and no others") {
-    const test::Folder folder;
-    const std::string own = folder / "law.inp", deck = folder.write("model.inp", "*HEADING\nmine\n");
-    for (const char* tolerance : {"1%", "2%"}) {
-        const auto outcome =
-            test::run_fstiff(std::string("export --to calculix --tolerance ") + tolerance + " -o '" + own + "'");
-        CHECK(outcome.status == 0);
-        CHECK(outcome.out.empty());
-        CHECK(test::contains(test::read(own), std::string("tolerance ") + tolerance[0] + " %"));
-    }
-    const auto refused = test::run_fstiff("export --to calculix -o '" + deck + "'");
-    CHECK(refused.status == 3);
-    CHECK(test::run_fstiff("export --to calculix -o '" + folder.write("empty.inp", "") + "'").status == 0);
-    CHECK(test::contains(refused.err, "model.inp: was not made by fstiff and is not replaced"));
-    CHECK(test::read(deck) == "*HEADING\nmine\n");
-    CHECK(test::lines(test::shell("fstiff export --to calculix -o /dev/stdout | cat").out).size() > 20);
 }
 
 TEST_CASE("export refuses in one sentence") {

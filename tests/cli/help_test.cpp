@@ -23,12 +23,15 @@ const std::vector<std::string> commands{"",
                                         "sweep",
                                         "help"};
 
-TEST_CASE("The example at the end of every --help works as pasted") {
+TEST_CASE(
+    "The example at the end of every --help works as pasted, and no help points at a file that is not installed") {
     for (const std::string& command : commands) {
         const auto help = test::run_fstiff(command + " --help");
         INFO("fstiff " << command << " --help\n" << help.out);
         CHECK(help.status == 0);
         CHECK(help.err.empty());
+        for (const char* folder : {"docs/", "data/", "README"})  // which are not installed
+            CHECK_FALSE(test::contains(help.out, folder));
         const auto start = help.out.rfind("Example:\n");
         REQUIRE(start != std::string::npos);
         const std::string example = help.out.substr(start + 9);
@@ -157,14 +160,6 @@ TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, an
     CHECK(test::contains(on_terminal("--format csv"), "parameter,value,error"));
     (void)on_terminal("-o '" + folder / "out.json" + "'");
     CHECK(test::read(folder / "out.json") == piped);
-}
-
-TEST_CASE("No help points at a file that is not installed") {
-    for (const std::string& command : commands)
-        for (const char* folder : {"docs/", "data/", "README"}) {
-            INFO(command << folder);
-            CHECK_FALSE(test::contains(test::run_fstiff(command + " --help").out, folder));
-        }
 }
 
 TEST_CASE("run --example prints a scene that runs, also with all that is commented out in it") {

@@ -47,36 +47,36 @@ std::string measured(const std::string& column, double error, double noise = 0, 
     return file;
 }
 
+/// identify of the scene and the data in \p folder.
+test::Outcome outcome_of(const test::Folder& folder, const std::string& arguments) {
+    return test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' " +
+                            arguments);
+}
+
 nlohmann::json identify(const test::Folder& folder, const std::string& start, const std::string& data,
                         const std::string& arguments, int status = 0) {
     folder.write("scene.toml", start);
     folder.write("data.csv", data);
-    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" +
-                                          folder / "data.csv" + "' --format json " + arguments);
+    const auto outcome = outcome_of(folder, "--format json " + arguments);
     INFO(arguments << "\n" << outcome.err);
     REQUIRE(outcome.status == status);
     return nlohmann::json::parse(outcome.out);
 }
 
+/// The lines of \p data with \p factor of their pressures, plus \p shift.
+std::string with_pressures(const std::string& data, double factor, double shift) {
+    std::string all;
+    for (const std::string& line : test::lines(data)) {
+        char number[64] = "";
+        if (!all.empty()) std::snprintf(number, sizeof number, "%.17g", factor * std::stod(line) + shift);
+        all += (all.empty() ? line : number + line.substr(line.find(','))) + "\n";
+    }
+    return all;
+}
+
 double value(const nlohmann::json& fit, std::size_t i) { return fit["parameters"][i]["value"].get<double>(); }
 
 }  // namespace
-
-TEST_CASE("identify gives back the parameters that run computed a curve from") {
-    const test::Folder folder;
-    const auto document =
-        identify(folder, scene("1 um", "300 /mm^2"), measured("stiffness_Pa_per_m", 0.02), "--fit sigma,Dp");
-    REQUIRE(document["fits"].size() == 1);
-    const auto& fit = document["fits"][0];
-    CHECK(fit["status"] == "converged");
-    // K has 13 digits or better; sigma and Dp answer with a factor of some 10
-    CHECK(test::relative_error(value(fit, 0), 0.832e-6) < 1e-9);
-    CHECK(test::relative_error(value(fit, 1), 500e6) < 1e-9);
-    CHECK(fit["degrees_of_freedom"] == 10);
-    CHECK(fit["chi_squared"].get<double>() < 1e-10);
-    CHECK(fit["parameters"][0]["start"] == 1e-6);
-    CHECK(fit["rows"].size() == 12);
-}
 
 TEST_CASE("identify finds parameters from reflections, longitudinal and shear, and the offset of the pressure") {
     const test::Folder folder;
@@ -92,14 +92,7 @@ TEST_CASE("identify finds parameters from reflections, longitudinal and shear, a
         CHECK(document["measured"]["quantity"] == "reflection");
     }
     // every pressure is read 0.2 MPa too low
-    const std::string data = measured("stiffness_Pa_per_m", 0.01);
-    std::string shifted;
-    for (const std::string& line : test::lines(data)) {
-        char number[64];
-        const auto comma = line.find(',');
-        if (!shifted.empty()) std::snprintf(number, sizeof number, "%.17g", std::stod(line) - 0.2e6);
-        shifted += (shifted.empty() ? line : number + line.substr(comma)) + "\n";
-    }
+    const std::string shifted = with_pressures(measured("stiffness_Pa_per_m", 0.01), 1, -0.2e6);
     const auto document = identify(folder, start, shifted, "--fit sigma,Dp,offset");
     CHECK(test::relative_error(value(document["fits"][0], 2), 0.2e6) < 1e-7);
 }
@@ -109,6 +102,9 @@ TEST_CASE(
     const test::Folder folder;
     const auto document = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit sigma,Dp");
     const auto& fit = document["fits"][0];
+    CHECK(fit["status"] == "converged");
+    CHECK(fit["degrees_of_freedom"] == 10);
+    CHECK(fit["parameters"][0]["start"] == 0.832e-6);
     double sum = 0;
     for (const auto& row : fit["rows"]) {
         const double residual =
@@ -158,13 +154,10 @@ TEST_CASE("identify: parameters that the data cannot distinguish end with exit c
     CHECK(!product["fits"][0]["parameters"][0].contains("value"));
     const auto blind = identify(folder, scene(), data, "--fit D", 4);
     CHECK(test::contains(blind["warnings"][0].get<std::string>(), "do not depend on D here"));
-    const auto table = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
-                                        "' --fit R,Dp");
+    const auto table = outcome_of(folder, "--fit R,Dp"), csv = outcome_of(folder, "--fit R,Dp --format csv");
     CHECK(table.status == 4);
     CHECK(test::contains(table.out, "singular"));
     CHECK(test::contains(table.out, "warning: hertz"));
-    const auto csv = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
-                                      "' --fit R,Dp --format csv");
     CHECK(test::Csv(csv.out).text(1, "value").empty());
     CHECK(test::contains(csv.err, "cannot distinguish R and Dp"));
 }
@@ -206,9 +199,7 @@ TEST_CASE("identify fits every law of the scene and reports which describes the 
 TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
     const test::Folder folder;
     const auto fit = identify(folder, scene(), measured("stiffness_Pa_per_m", 0.02, 1), "--fit 'sigma, Dp'")["fits"][0];
-    const std::string call =
-        "identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" + "' --fit sigma,Dp";
-    const test::Csv csv(test::run_fstiff(call + " --format csv").out);
+    const test::Csv csv(outcome_of(folder, "--fit sigma,Dp --format csv").out);
     REQUIRE(csv.size() == 2);
     for (std::size_t i = 0; i < 2; ++i) {
         CHECK(csv.number(i, "value") == value(fit, i));
@@ -216,7 +207,7 @@ TEST_CASE("identify: table, CSV and picture hold what the JSON does") {
         CHECK(csv.number(i, "correlation_Dp") == fit["correlation"][i][1].get<double>());
         CHECK(csv.number(i, "chi_squared") == fit["chi_squared"].get<double>());
     }
-    const auto table = test::run_fstiff(call);
+    const auto table = outcome_of(folder, "--fit sigma,Dp");
     CHECK(table.status == 0);
     for (const char* part : {"sigma [µm]", "D_p [1/mm²]", "standard error", "95 % from", "correlation", "chi²/dof",
                              "residual [errors]", "12 points"}) {
@@ -260,6 +251,8 @@ TEST_CASE("identify refuses what it cannot fit, in one sentence") {
     refused(start + "--fit sigma", 3, {"standard input:2", "error = 0", "greater than 0"},
             "p [MPa],K [GPa/um],error [GPa/um]\n1,0.01,0\n2,0.02,0.001\n");
     refused(start + "--fit sigma", 3, {"standard input:2", "reflection = 3"}, "p [MPa],R\n1,3\n2,0.9\n");
+    refused(start + "--fit sigma", 3, {"standard input", "holds 5 computed curves", "must hold one curve"},
+            test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv").out);
     folder.write("scene.toml", test::replaced(scene(), "peaks =",
                                               "interaction = { reading = \"as_printed\", length = "
                                               "\"peak_spacing\" }\npeaks ="));
@@ -318,45 +311,32 @@ TEST_CASE("identify takes the CSV of run") {
     CHECK(test::contains(other.err, "the points scatter by"));
 }
 
-TEST_CASE("Several computed curves of which none is of the scene are refused") {
-    const test::Folder folder;
-    folder.write("scene.toml", scene());
-    folder.write("run.csv", test::run_fstiff("run '" FSTIFF_SCENES "/sand_blasted_fine.toml' --format csv").out);
-    test::check_refused("identify '" + folder / "scene.toml" + "' --measured '" + folder / "run.csv" + "' --fit sigma",
-                        3, {"run.csv", "holds 5 computed curves", "must hold one curve"});
-}
-
 TEST_CASE("A fit that misses its points, is bent by one of them or lies far from its start ends with exit code 4") {
     const test::Folder folder;
-    const auto concerns = [&](const std::string& data, const std::string& wanted, int status) {
-        return identify(folder, scene(), data, "--fit " + wanted, status)["fits"][0]["concerns"];
-    };
-    using Words = nlohmann::json;
-    const std::string good = measured("stiffness_Pa_per_m", 0.02, 0.5);
-    CHECK(concerns(good, "sigma", 0) == Words::array());
-    // four points, the third of them ten times too low
-    const std::string four = "p [MPa],K [GPa/um]\n1,0.0045\n3,0.0125\n10,0.0038\n30,0.1\n";
-    CHECK(concerns(four, "sigma", 4).dump().find("scattered") != std::string::npos);
-    CHECK(concerns(test::replaced(four, "30,0.1", "30,100"), "sigma", 4).dump().find("scattered") != std::string::npos);
-    // with errors: what does not lie within them
-    const std::string weighed =
-        "p [MPa],K [GPa/um],error [GPa/um]\n1,0.0045,0.0002\n3,0.0125,0.0005\n10,0.3,0.002\n30,0.1,0.005\n";
-    CHECK(concerns(weighed, "sigma", 4)[0] == "misfit");
+    std::string slipped = measured("stiffness_Pa_per_m", 0);  // one of twelve points read off wrongly
+    const std::string line = test::lines(slipped)[6], number = line.substr(line.find(',') + 1);
+    slipped = test::replaced(slipped, number, std::to_string(1.3 * std::stod(number)));
     // as many peaks per mm^2 as a wrong unit makes of them
     const std::string wrong = measured("stiffness_Pa_per_m", 0.02, 0, scene("0.832 um", "500000 /mm^2"));
-    CHECK(concerns(wrong, "Dp", 4) == Words{"far_from_start"});
-    // K in a unit a thousand times too large: sigma is 0.85 nm or so then
+    // the third of four points ten times too low
+    const std::string four = "p [MPa],K [GPa/um]\n1,0.0045\n3,0.0125\n10,0.0038\n30,0.1\n";
+    const std::string weighed =
+        "p [MPa],K [GPa/um],error [GPa/um]\n1,0.0045,0.0002\n3,0.0125,0.0005\n10,0.3,0.002\n30,0.1,0.005\n";
+    // K in a unit a thousand times too large
     const std::string large = "p [MPa],K [GPa/um]\n1,4.5\n3,12.5\n10,38\n30,100\n";
-    CHECK(concerns(large, "sigma", 4).dump().find("far_from_start") != std::string::npos);
-    // one of twelve points read off wrongly
-    std::string slipped = measured("stiffness_Pa_per_m", 0, 0);
-    const auto lines = test::lines(slipped);
-    const auto comma = lines[6].find(',');
-    slipped = test::replaced(
-        slipped, lines[6], lines[6].substr(0, comma + 1) + std::to_string(1.3 * std::stod(lines[6].substr(comma + 1))));
-    CHECK(concerns(slipped, "sigma", 4) == Words{"outlier"});
-    const auto table = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" + folder / "data.csv" +
-                                        "' --fit sigma");
+    const std::array<std::string, 3> rows[] = {{"[]", measured("stiffness_Pa_per_m", 0.02, 0.5), "sigma"},
+                                               {"\"scattered\"", four, "sigma"},
+                                               {"\"scattered\"", test::replaced(four, "30,0.1", "30,100"), "sigma"},
+                                               {"[\"misfit\"", weighed, "sigma"},
+                                               {"[\"far_from_start\"]", wrong, "Dp"},
+                                               {"\"far_from_start\"", large, "sigma"},
+                                               {"[\"outlier\"]", slipped, "sigma"}};
+    for (const auto& [concerns, data, parameter] : rows) {
+        const auto fit = identify(folder, scene(), data, "--fit " + parameter, concerns == "[]" ? 0 : 4)["fits"][0];
+        INFO(concerns << " expected: " << fit["concerns"].dump());
+        CHECK(test::contains(fit["concerns"].dump(), concerns));
+    }
+    const auto table = outcome_of(folder, "--fit sigma");
     CHECK(table.status == 4);
     CHECK(test::contains(test::as_one_line(table.out), "times as far from the model as the median of the points"));
 }
@@ -426,18 +406,7 @@ TEST_CASE("sigma of a measured map is a factor of all its heights") {
         "laws = [\"hybrid\"]\n";
     // K of heights t times as high under t p is K of the heights under p
     const std::string data = measured("stiffness_Pa_per_m", 0.02, 0, text);
-    std::string taller;
-    for (const std::string& line : test::lines(data)) {
-        char number[64] = "";
-        if (!taller.empty()) std::snprintf(number, sizeof number, "%.17g", 1.25 * std::stod(line));
-        taller += (taller.empty() ? line : number + line.substr(line.find(','))) + "\n";
-    }
-    folder.write("scene.toml", text);
-    folder.write("data.csv", taller);
-    const auto outcome = test::run_fstiff("identify '" + folder / "scene.toml" + "' --measured '" +
-                                          folder / "data.csv" + "' --fit sigma --format json");
-    INFO(outcome.err);
-    const auto fit = nlohmann::json::parse(outcome.out)["fits"][0];
+    const auto fit = identify(folder, text, with_pressures(data, 1.25, 0), "--fit sigma")["fits"][0];
     CHECK(fit["status"] == "converged");
     CHECK(test::relative_error(value(fit, 0), 1.25 * fit["parameters"][0]["start"].get<double>()) < 1e-6);
     CHECK(fit["chi_squared"].get<double>() < 1e-6);

@@ -251,23 +251,16 @@ TEST_CASE("A measured surface gives p* to peaks with r = 0 and of one radius, a 
     CHECK(test::contains(full.out, "contacts [1/µm²]"));
 }
 
-TEST_CASE("In machine formats the warnings go to standard error and the document stays one document") {
-    const auto csv = test::run_fstiff(fine + " --format csv");
-    CHECK(test::contains(csv.err, "plasticity index"));
-    CHECK_FALSE(test::contains(csv.out, "warning"));
-    const auto json = test::run_fstiff(fine + " --format json");
-    CHECK(test::contains(json.err, "plasticity index"));
+TEST_CASE("JSON and CSV hold the same numbers, the answer first, and their warnings go to standard error") {
+    const auto printed = test::run_fstiff(fine + " --format csv"), json = test::run_fstiff(fine + " --format json");
+    const test::Csv csv(printed.out);
     const auto document = nlohmann::json::parse(json.out);
+    for (const auto& outcome : {printed, json}) CHECK(test::contains(outcome.err, "plasticity index"));
+    CHECK_FALSE(test::contains(printed.out, "warning"));
     CHECK(document["warnings"].size() == test::lines(json.err).size());
-    CHECK(document["answer"].size() == 31);
-    CHECK(document["answer"].size() + document["rows"].size() == test::lines(csv.out).size() - 1);
     CHECK(document["laws"]["fractal"]["stiffness"] == "(3.14), (4.9)");
-}
-
-TEST_CASE("JSON and CSV hold the same numbers, and the answer comes first") {
-    const test::Csv csv(test::run_fstiff(fine + " --format csv").out);
-    const auto document = nlohmann::json::parse(test::run_fstiff(fine + " --format json").out);
     const std::size_t answers = document["answer"].size();
+    CHECK(answers == 31);
     REQUIRE(csv.size() == answers + document["rows"].size());
     for (std::size_t i = 0; i < csv.size(); ++i) {
         const auto& row = i < answers ? document["answer"][i] : document["rows"][i - answers];
@@ -281,30 +274,6 @@ TEST_CASE("JSON and CSV hold the same numbers, and the answer comes first") {
             }
         CHECK(compared >= (i < answers ? 4 : 7));  // of the answer p, K and both ends of its band
     }
-}
-
-TEST_CASE("The output file is whole, replaces an older one and leaves no other file") {
-    const test::Folder folder;
-    const std::string file = folder.write("curve.csv", test::run_fstiff("run --format json").out);
-    const auto outcome = test::run_fstiff("run --format csv -o '" + file + "'");
-    CHECK(outcome.status == 0);
-    CHECK(outcome.out.empty());
-    CHECK(test::read(file) == test::run_fstiff("run --format csv").out);
-    CHECK(folder.files() == 1);
-    // a refused run leaves the older file as it was
-    CHECK(test::run_fstiff("run '" + folder / "none.toml" + "' -o '" + file + "'").status == 3);
-    CHECK(test::lines(test::read(file)).size() == 1 + 31);
-    CHECK(test::run_fstiff("run -o '" + folder / "no/folder" + "'").status == 3);
-    CHECK(test::contains(test::run_fstiff("run -o '" + folder / "no/folder" + "'").err, "no/folder"));
-    CHECK(test::run_fstiff("run --format csv -o /dev/stdout").out == test::read(file));
-}
-
-TEST_CASE("A real area above the nominal one is printed with exit code 4") {
-    const std::string deep = test::scene_with(
-        "sand_blasted_fine", {{"pressures", "separations = [\"-30 um\"]"}, {"laws", "laws = [\"hertz\"]"}});
-    const auto outcome = test::run_fstiff("run - --format csv", deep);
-    CHECK(outcome.status == 4);
-    CHECK(test::contains(outcome.err, "real area exceeds the nominal area"));
 }
 
 TEST_CASE("Full contact at one pressure is no result there, in every form and in truth, and nothing else is lost") {
@@ -331,6 +300,7 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
     CHECK(csv.status == 4);
     CHECK(contains(csv.err, warning));
     CHECK(Csv(csv.out).size() == 1 + 3);  // the answer reaches one pressure
+    CHECK(json.status == 4);
     CHECK(nlohmann::json::parse(json.out)["rows"].size() == 3);
     folder.write("g.toml", text_of("\"90 GPa\", { values = [\"10 MPa\", \"20 MPa\", \"91 GPa\"] }", both));
     for (const char* attempt : {"computed", "there already"}) {
@@ -366,25 +336,6 @@ TEST_CASE("Full contact at one pressure is no result there, in every form and in
     const Outcome closed = shell(in + "truth m.txt --pressures '90 GPa'");
     CHECK(closed.status == 3);
     CHECK(contains(closed.err, "m.txt: all points of the map are in contact at 9e+10 Pa, so that there is no K"));
-}
-
-TEST_CASE("A lost pressure has its sentence and exit code 4 in the table, the CSV and the JSON of run") {
-    using namespace test;
-    const Folder folder;
-    for (const char* laws : {"", "laws = [\"hertz\"]\n"}) {
-        const std::string scene = folder.write(
-            "s.toml", "[surface]\nSq = \"0.8 um\"\nSdq = 0.01\n[material]\nupper = \"steel\"\n[contact]\n" +
-                          std::string(laws) + "pressures = [\"10 MPa\", \"2 GPa\"]\n");
-        // 0.75 E g with E = 210 GPa/(2 (1 - 0.3^2))
-        for (const char* format : {"table", "csv", "json"}) {
-            const Outcome outcome = run_fstiff("run '" + scene + "' --format " + format);
-            INFO(outcome.out << outcome.err);
-            CHECK(outcome.status == 4);
-            std::string all = outcome.out + outcome.err;
-            std::replace(all.begin(), all.end(), '\n', ' ');
-            CHECK(contains(all, "above 865 MPa the contact is closed and the bulk carries the load"));
-        }
-    }
 }
 
 }  // namespace run_test

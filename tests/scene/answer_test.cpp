@@ -33,9 +33,7 @@ std::string map_of(const test::Folder& folder, int points, const Change& change)
         {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 16e-6, .shortest_wavelength = 4e-6}, points, points, 1e-6,
         1e-6);
     change(map.heights);
-    std::ofstream file(folder / "map.csv");
-    fstiff::io::write_csv(file, map);
-    return "[surface]\nfrom = '" + folder / "map.csv" + "'\nlambda_s = \"none\"\n";
+    return "[surface]\nfrom = '" + folder.write("map.csv", test::file_text(map)) + "'\nlambda_s = \"none\"\n";
 }
 std::string map_of(const test::Folder& folder, int points) {
     return map_of(folder, points, [](auto&) {});
@@ -269,10 +267,8 @@ TEST_CASE("A profile across a lay widens the band upward, and the answer reports
     fstiff::Profile<double> profile = fstiff::self_affine_profile<double>(
         {.hurst = 0.7, .rms = 0.12e-6, .longest_wavelength = 60e-6, .shortest_wavelength = 16e-6}, 1024, 4e-6);
     const auto answered = [&](const char* name) {
-        std::ofstream file(folder / name);
-        fstiff::io::write_csv(file, profile);
-        file.close();
-        return Answered(text_of("[surface]\nfrom = '" + folder / name + "'\n", "pressures = [\"10 MPa\"]\n"));
+        const std::string file = folder.write(name, test::file_text(profile));
+        return Answered(text_of("[surface]\nfrom = '" + file + "'\n", "pressures = [\"10 MPa\"]\n"));
     };
     const Answered isotropic = answered("isotropic.csv");
     CHECK_FALSE(contains(isotropic.said(), "lay"));
@@ -325,10 +321,8 @@ TEST_CASE("Causes in the band of the answer give no warning, except for laws tha
     fstiff::HeightMap<double> map = fstiff::self_affine_map<double>(
         {.hurst = 0.8, .rms = 0.3e-6, .longest_wavelength = 128e-6, .shortest_wavelength = 4e-6}, 128, 128, 1e-6, 1e-6);
     map.heights(20, 30) = 3e-6;  // a spike, which no band holds
-    std::ofstream file(folder / "map.csv");
-    fstiff::io::write_csv(file, map);
-    file.close();
-    const std::string surface = "[surface]\nfrom = '" + folder / "map.csv" + "'\nlambda_s = \"none\"\n",
+    const std::string file = folder.write("map.csv", test::file_text(map)),
+                      surface = "[surface]\nfrom = '" + file + "'\nlambda_s = \"none\"\n",
                       softer = "yield_strength = \"0.1 GPa\"\n";
     const Answered best(text_of(surface, "pressures = [\"10 MPa\"]\n", softer)),
         hertz(text_of(surface, "laws = [\"hertz\"]\npressures = [\"10 MPa\"]\n", softer));

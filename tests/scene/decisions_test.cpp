@@ -4,8 +4,6 @@
 #include "support/half_space_maps.hpp"
 #include "support/library.hpp"
 
-#include "actions/overclosure.hpp"
-
 #include <cmath>
 #include <numbers>
 
@@ -29,12 +27,7 @@ double stiffness(const actions::Answered& results, std::size_t point = 0) {
 
 /// A map of \p points a side of a half space, 1e-4 of its heights and lengths, in a file of its own.
 std::string map_file(const test::Folder& folder, const std::string& name, Eigen::Index points, double taller = 1) {
-    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
-    map.heights = (taller * 1e-4 * map.heights.topLeftCorner(points, points)).eval();
-    map.dx = map.dy = 1e-4 / 256;
-    std::ofstream file(folder / name);
-    fstiff::io::write_csv(file, map);
-    return folder / name;
+    return folder.write(name, test::file_text(test::corner_of_map(points, taller)));
 }
 
 }  // namespace
@@ -124,24 +117,6 @@ TEST_CASE("The error of K of two maps holds the scatter of one shift, by n - 1")
     }
 }
 
-TEST_CASE("A table of pressures keeps its tolerance and has no row that it could do without") {
-    const scene::Scene read = test::scene_of(test::scene_with("sand_blasted_fine", {}));
-    for (const double tolerance : {1e-3, 1e-2, 0.1}) {
-        const actions::PressureTable table =
-            actions::pressure_table(read, {.law = "hertz", .tolerance = tolerance, .slope_tolerance = 1});
-        CHECK(table.error.value <= tolerance);
-        CHECK(table.error.value > 0.85 * tolerance);
-        // the chord of an exponential over a factor q is off by (ln q)^2/8, so that as many rows are needed
-        const double rows = std::log(table.to / table.from) / std::sqrt(8 * tolerance);
-        CHECK(static_cast<double>(table.rows.size()) < 1.15 * rows + 3);
-        CHECK(static_cast<double>(table.rows.size()) > 0.6 * rows);
-    }
-    CHECK_FALSE(
-        test::refusal([&] { (void)actions::pressure_table(read, {.law = "hertz", .tolerance = 0.21}); }).empty());
-    CHECK_FALSE(
-        test::refusal([&] { (void)actions::pressure_table(read, {.law = "hertz", .tolerance = 0.9e-5}); }).empty());
-}
-
 TEST_CASE("The band of one error in a scene has the 5 % and the 95 % of K") {
     // K of hertz goes as a power of sigma over a small change: K(sigma exp(-+1.645 s))
     const std::string of_error = "errors = { rms_height = \"0.02 um\" }\n";
@@ -190,26 +165,6 @@ TEST_CASE("Boundary elements take a map of 16 points a side and none of 15") {
     };
     CHECK(contains(refused(15), "needs a map of at least 16 points a side"));
     CHECK_FALSE(contains(refused(16), "at least 16 points a side"));
-}
-
-TEST_CASE("The parameters of several files are pooled by their lengths") {
-    const test::Folder folder;
-    const fstiff::SelfAffineOptions<double> how{
-        .hurst = 0.7, .rms = 1e-6, .longest_wavelength = 80e-6, .shortest_wavelength = 6e-6};
-    const std::string line = "--lambda-s none --lambda-c none";
-    const std::string long_one = test::profile_text(4096, 1e-6, how), short_one = test::profile_text(1024, 1e-6, how);
-    const auto a = test::measured(line, long_one)["surface"], b = test::measured(line, short_one)["surface"];
-    const auto both =
-        test::measured_files(line, {folder.write("long", long_one), folder.write("short", short_one)})["surface"];
-    const auto of = [](const nlohmann::json& one, const char* key) { return one[key]["value"].get<double>(); };
-    const double share = 4096.0 / (4096 + 1024);
-    const auto mean = [&](const char* key, double power) {
-        return std::pow(share * std::pow(of(a, key), power) + (1 - share) * std::pow(of(b, key), power), 1 / power);
-    };
-    CHECK(test::relative_error(of(both, "rms_height"), mean("rms_height", 2)) < 1e-9);
-    CHECK(test::relative_error(of(both, "rms_gradient"), mean("rms_gradient", 2)) < 1e-9);
-    CHECK(test::relative_error(of(both, "peak_radius"), mean("peak_radius", -2)) < 1e-9);
-    CHECK(of(both, "max_peak_height") == std::max(of(a, "max_peak_height"), of(b, "max_peak_height")));
 }
 
 TEST_CASE("Spikes are hinted at from 30 standard deviations on, and taken out from the limit on") {

@@ -36,6 +36,14 @@ const std::string steel_on_iron = "[material]\nupper = \"steel\"\nlower = \"cast
 
 Body body(const char* name) { return body_of(*find_material(name)); }
 
+/// A rough face of 0.8 um with a gradient of 0.1, on steel and \p lower.
+Joint numbers_on(const char* lower = "steel") {
+    return {.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body(lower)};
+}
+
+/// K and the ends of its band are the same to the last digit.
+bool same(const WithBand& a, const WithBand& b) { return a.value == b.value && a.low == b.low && a.high == b.high; }
+
 /// \p found has every number of the answer of \p scene, to the last digit.
 void require_same(const Answer& found, const scene::Scene& scene) {
     const actions::Answered results = actions::compute(scene);
@@ -48,9 +56,7 @@ void require_same(const Answer& found, const scene::Scene& scene) {
         REQUIRE(point.ok() == (at != nullptr));
         if (!at) continue;
         CAPTURE(place);
-        CHECK(point.stiffness.value == at->stiffness.value);
-        CHECK(point.stiffness.low == at->stiffness.low);
-        CHECK(point.stiffness.high == at->stiffness.high);
+        CHECK(same(point.stiffness, at->stiffness));
         CHECK(point.law == at->law);
         CHECK(point.p_star == at->p_star);
         CHECK(point.contacts == at->contacts);
@@ -58,8 +64,21 @@ void require_same(const Answer& found, const scene::Scene& scene) {
         CHECK(shares_of(point.causes) == shares_of(at->causes));
         for (const AnswerPoint::Value& value : at->values) {
             INFO(value.quantity->word);
-            REQUIRE(point.find(value.quantity->word));
-            CHECK(point[value.quantity->word] == value.number.value);
+            const AnswerPoint::Value* own = point.find(value.quantity->word);
+            REQUIRE(own);
+            CHECK(own->number.value == value.number.value);
+            CHECK((own->number.low == value.number.low || std::isnan(value.number.low)));
+            CHECK((own->number.high == value.number.high || std::isnan(value.number.high)));
+        }
+    }
+    for (std::size_t k = 0; k < found.laws.size(); ++k) {
+        const AnswerCurve& curve = results.curves()[k];
+        CAPTURE(k);
+        REQUIRE(found.laws.size() == results.curves().size());
+        CHECK(found.laws[k].law == curve.law);
+        CHECK(found.laws[k].theta == curve.theta);
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            CHECK(same(found.laws[k].points[i].stiffness, curve.points[i].stiffness));
         }
     }
     CHECK(found.flows == answer.flows);
@@ -79,22 +98,6 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
         std::string surface;
         JointFace face;
     };
-    const std::vector<Case> cases{
-        {"rms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 10\n",
-         {.rms_height = 0.8e-6, .rms_gradient = 0.1, .alpha = 10}},
-        {"rms_height = \"0.8 um\"\n", {.rms_height = 0.8e-6}},
-        {"Ra = \"1.6 um\"\nprocess = \"turned\"\n", {.mean_height = 1.6e-6, .process = Process::turned}},
-        {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\n",
-         {.rms_height = 0.8e-6, .peak_radius = 40e-6, .peak_density = 500e6}},
-        {"rms_height = \"0.8 um\"\nrms_gradient = 0.2\nhurst = 0.6\nskewness = -1\nkurtosis = 4.5\n",
-         {.rms_height = 0.8e-6, .rms_gradient = 0.2, .hurst = 0.6, .skewness = -1, .kurtosis = 4.5}},
-        {"rms_height = \"0.8 um\"\nrms_gradient = 0.2\nfractal_dimension = 1.3\nerrors = { rms_height = \"0.1 um\", "
-         "rms_gradient = 0.02 }\n",
-         {.rms_height = 0.8e-6,
-          .rms_gradient = 0.2,
-          .fractal_dimension = 1.3,
-          .errors = {.height = 0.1e-6, .gradient = 0.02}}}};
-    // by the names of drawings, a bearing curve, joint peaks and their errors
     const detail::MaterialRatio<double> core{1.5e-6, 0.4e-6, 1.2e-6, 0.08, 0.85};
     std::vector<double> heights;
     std::string list;
@@ -102,31 +105,42 @@ TEST_CASE("The answer of a joint of numbers is that of its scene") {
         heights.push_back(1e-6 * (std::sin(0.4 * i) + 0.02 * i));
         list += (i > 0 ? ", \"" : "\"") + detail::shortest_text(heights.back()) + " m\"";
     }
-    const auto more = std::to_array<Case>(
-        {{"Ra = \"0.8 um\"\nRdq = 0.1\nprocess = \"milled\"\nerrors = { Ra = \"0.1 um\", Rdq = 0.02 }\n",
-          {.mean_height = 0.8e-6,
-           .profile_gradient = 0.1,
-           .process = Process::milled,
-           .errors = {.height = 0.1e-6, .gradient = 0.02}}},
-         {"Rq = \"0.8 um\"\nRSm = \"60 um\"\n", {.rms_height = 0.8e-6, .profile_spacing = 60e-6}},
-         {"Sq = \"0.8 um\"\nSdq = 0.1\nSk = \"1.5 um\"\nSpk = \"0.4 um\"\nSvk = \"1.2 um\"\nSmr1 = 0.08\nSmr2 = "
-          "0.85\n",
-          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = detail::bearing_of_core(core)}},
-         {"Sq = \"0.8 um\"\nSdq = 0.1\nbearing_curve = [" + list + "]\n",
-          {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = MaterialRatioSlope<double>::of_heights(heights)}},
-         {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nmax_peak_height = \"3 um\"\n"
-          "r = 0.5\ntheta = 1.0\nerrors = { peak_radius = \"5 um\", peak_density = \"50 /mm^2\", r = 0.1, theta = 0.1 "
-          "}\n",
-          {.rms_height = 0.8e-6,
-           .peak_radius = 40e-6,
-           .peak_density = 500e6,
-           .max_peak_height = 3e-6,
-           .r = 0.5,
-           .theta = 1.0,
-           .errors = {.peak_radius = 5e-6, .peak_density = 50e6, .r = 0.1, .theta = 0.1}}}});
-    std::vector<Case> all = cases;
-    all.insert(all.end(), more.begin(), more.end());
-    for (const Case& one : all) {
+    // numbers, those by the names of drawings, bearing curves, and joint peaks, with their errors
+    const std::vector<Case> cases{
+        {"rms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 10\n",
+         {.rms_height = 0.8e-6, .rms_gradient = 0.1, .alpha = 10}},
+        {"rms_height = \"0.8 um\"\n", {.rms_height = 0.8e-6}},
+        {"Ra = \"1.6 um\"\nprocess = \"turned\"\n", {.mean_height = 1.6e-6, .process = Process::turned}},
+        {"rms_height = \"0.8 um\"\nrms_gradient = 0.2\nhurst = 0.6\nskewness = -1\nkurtosis = 4.5\n",
+         {.rms_height = 0.8e-6, .rms_gradient = 0.2, .hurst = 0.6, .skewness = -1, .kurtosis = 4.5}},
+        {"rms_height = \"0.8 um\"\nrms_gradient = 0.2\nfractal_dimension = 1.3\nerrors = { rms_height = \"0.1 um\", "
+         "rms_gradient = 0.02 }\n",
+         {.rms_height = 0.8e-6,
+          .rms_gradient = 0.2,
+          .fractal_dimension = 1.3,
+          .errors = {.height = 0.1e-6, .gradient = 0.02}}},
+        {"Ra = \"0.8 um\"\nRdq = 0.1\nprocess = \"milled\"\nerrors = { Ra = \"0.1 um\", Rdq = 0.02 }\n",
+         {.mean_height = 0.8e-6,
+          .profile_gradient = 0.1,
+          .process = Process::milled,
+          .errors = {.height = 0.1e-6, .gradient = 0.02}}},
+        {"Rq = \"0.8 um\"\nRSm = \"60 um\"\n", {.rms_height = 0.8e-6, .profile_spacing = 60e-6}},
+        {"Sq = \"0.8 um\"\nSdq = 0.1\nSk = \"1.5 um\"\nSpk = \"0.4 um\"\nSvk = \"1.2 um\"\nSmr1 = 0.08\nSmr2 = "
+         "0.85\n",
+         {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = detail::bearing_of_core(core)}},
+        {"Sq = \"0.8 um\"\nSdq = 0.1\nbearing_curve = [" + list + "]\n",
+         {.rms_height = 0.8e-6, .rms_gradient = 0.1, .bearing = MaterialRatioSlope<double>::of_heights(heights)}},
+        {"rms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 /mm^2\"\nmax_peak_height = \"3 um\"\n"
+         "r = 0.5\ntheta = 1.0\nerrors = { peak_radius = \"5 um\", peak_density = \"50 /mm^2\", r = 0.1, theta = 0.1 "
+         "}\n",
+         {.rms_height = 0.8e-6,
+          .peak_radius = 40e-6,
+          .peak_density = 500e6,
+          .max_peak_height = 3e-6,
+          .r = 0.5,
+          .theta = 1.0,
+          .errors = {.peak_radius = 5e-6, .peak_density = 50e6, .r = 0.1, .theta = 0.1}}}};
+    for (const Case& one : cases) {
         CAPTURE(one.surface);
         const Joint elastic{.face = one.face, .upper = body("steel"), .lower = body("cast_iron")};
         require_same(answer(elastic, pressures), read("[surface]\n" + one.surface + steel_on_iron + contact_of_text));
@@ -187,31 +201,17 @@ TEST_CASE("Laws by name have the curves and bands of a scene that names them") {
                          .errors = {.height = 0.1e-6, .fractal_dimension = 0.05}},
                 .upper = body("steel"),
                 .lower = body("cast_iron")};
-    const Answer found = answer(joint, pressures, {.laws = {laws::hertz, laws::fractal, laws::persson}});
-    const actions::Answered results = actions::compute(
+    require_same(
+        answer(joint, pressures, {.laws = {laws::hertz, laws::fractal, laws::persson}}),
         read("[surface]\nrms_height = \"0.8 um\"\npeak_radius = \"40 um\"\npeak_density = \"500 "
              "/mm^2\"\nfractal_dimension = 1.4\nerrors = { rms_height = \"0.1 um\", fractal_dimension = 0.05 }\n" +
              steel_on_iron + contact_of_text + "laws = [\"hertz\", \"fractal\", \"persson\"]\n"));
-    REQUIRE(found.laws.size() == results.curves().size());
-    for (std::size_t k = 0; k < found.laws.size(); ++k) {
-        const AnswerCurve& curve = results.curves()[k];
-        CAPTURE(k);
-        CHECK(found.laws[k].law == curve.law);
-        CHECK(found.laws[k].theta == curve.theta);
-        for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            const AnswerPoint& point = found.laws[k].points[i];
-            CHECK(point.stiffness.value == curve.points[i].state.stiffness.value);
-            CHECK(point.stiffness.low == curve.points[i].stiffness.low);
-            CHECK(point.stiffness.high == curve.points[i].stiffness.high);
-        }
-    }
     CHECK(test::refusal([&] { (void)answer(joint, pressures, {.laws = {laws::summits}}); }) ==
           "law summits: needs a measured map");
 }
 
 TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, with their bands") {
-    Joint joint{
-        .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("cast_iron")};
+    Joint joint = numbers_on("cast_iron");
     joint.upper.hardness = 1e9, joint.lower.hardness = 2e9;
     joint.waves = UltrasonicWaves{.frequency = 5e6,
                                   .longitudinal = {46e6, 33e6},
@@ -223,38 +223,24 @@ TEST_CASE("Friction, waves, heat and current of a joint are those of its scene, 
                         .thermal_film = 1e-6};
     joint.friction = Friction{.coefficient = 0.2, .amplitude = 1e-8};
     const Answer found = answer(joint, pressures);
-    const actions::Answered results = actions::compute(read(
-        "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\nhardness = \"1 "
-        "GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = \"2 "
-        "GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
-        contact_of_text +
-        "[ultrasound]\nfrequency = \"5 MHz\"\nfilm_stiffness = \"1e14 Pa/m\"\nupper = { impedance = \"46 MRayl\", "
-        "shear_impedance = \"25 MRayl\" }\n"
-        "lower = { impedance = \"33 MRayl\", shear_impedance = \"19 MRayl\" }\n[gap]\nconductivity = \"0.026 W/(m "
-        "K)\"\n"
-        "thermal_film = \"1e-6 m^2 K/W\"\n[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
-    REQUIRE(results.has_answer());
-    const std::array words{"tangential_stiffness", "loss_factor",         "reflection",
-                           "shear_reflection",     "thermal_conductance", "electrical_conductance"};
-    for (std::size_t i = 0; i < pressures.size(); ++i) {
-        for (const char* word : words) {
-            const AnswerPoint::Value *value = found.points[i].find(word), *own = results.answer.points[i].find(word);
-            CAPTURE(i, word);
-            REQUIRE(value);
-            REQUIRE(own);
-            CHECK(value->number.value == own->number.value);
-            CHECK(value->number.low == own->number.low);
-            CHECK(value->number.high == own->number.high);
-            CHECK(value->number.low < value->number.high);
-        }
-        CHECK(found.points[i]["thermal_conductance_gap"] == results.answer.points[i]["thermal_conductance_gap"]);
+    require_same(
+        found,
+        read("[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\n[material.upper]\nname = \"steel\"\nhardness "
+             "= \"1 GPa\"\nelectrical_conductivity = \"6e6 S/m\"\n[material.lower]\nname = \"cast_iron\"\nhardness = "
+             "\"2 GPa\"\nelectrical_conductivity = \"1e6 S/m\"\n" +
+             contact_of_text +
+             "[ultrasound]\nfrequency = \"5 MHz\"\nfilm_stiffness = \"1e14 Pa/m\"\nupper = { impedance = \"46 "
+             "MRayl\", shear_impedance = \"25 MRayl\" }\nlower = { impedance = \"33 MRayl\", shear_impedance = \"19 "
+             "MRayl\" }\n[gap]\nconductivity = \"0.026 W/(m K)\"\nthermal_film = \"1e-6 m^2 K/W\"\n"
+             "[friction]\ncoefficient = 0.2\namplitude = \"10 nm\"\n"));
+    for (const char* word : {"tangential_stiffness", "loss_factor", "reflection", "shear_reflection",
+                             "thermal_conductance", "electrical_conductance"}) {
+        INFO(word);
+        const AnswerPoint::Value* value = found.points[1].find(word);
+        REQUIRE(value);
+        CHECK(value->number.low < value->number.high);
     }
-    joint.waves->film_stiffness = -1;
-    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("film_stiffness = -1"));
-    joint.waves->film_stiffness = 0, joint.waves->frequency = 0;
-    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("frequency = 0"));
-    joint.waves.reset(), joint.conduction.thermal = -1;
-    CHECK(test::refusal([&] { (void)answer(joint, pressures); }).starts_with("thermal = -1"));
+    CHECK(found.points[1].find("thermal_conductance_gap"));
 }
 
 TEST_CASE("What does not hold of an answer, and what to measure next, are values") {
@@ -263,7 +249,7 @@ TEST_CASE("What does not hold of an answer, and what to measure next, are values
         for (const auto& one : of.concerns) all.insert(one.concern);
         return all;
     };
-    Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    Joint joint = numbers_on();
     CHECK(kinds(answer(joint, pressures)).empty());
     joint.face.rms_gradient = 100;  // in per cent, likely
     const Answer steep = answer(joint, pressures);
@@ -307,8 +293,7 @@ std::vector<double> numbers_of(const Answer& found) {
 }
 
 TEST_CASE("An answer at separations has the pressures there, and refuses what is no separation") {
-    const Joint joint{
-        .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    const Joint joint = numbers_on();
     const Answer under = answer(joint, pressures);
     std::vector<double> separations;
     for (const AnswerPoint& point : under.points) separations.push_back(point["separation"]);
@@ -325,22 +310,22 @@ TEST_CASE("An answer at separations has the pressures there, and refuses what is
 }
 
 TEST_CASE("An answer without its approach has every other number, those of crossed planes and of a gap too") {
-    Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
-    const auto same = [](const Joint& of, const std::vector<double>& under) {
+    Joint joint = numbers_on();
+    const auto check = [](const Joint& of, const std::vector<double>& under) {
         const Answer whole = answer(of, under), without = answer(of, under, {.quantities = {"stiffness"}});
         CHECK(numbers_of(whole) == numbers_of(without));
         CHECK(whole.doubtful == without.doubtful);
         CHECK(whole.points.front().find("approach"));
         CHECK_FALSE(without.points.front().find("approach"));
     };
-    same(joint, pressures);
+    check(joint, pressures);
     joint.upper.hardness = joint.lower.hardness = 1e9;
-    same(joint, {1e7, 0.9e9});
+    check(joint, {1e7, 0.9e9});
     joint.conduction.gap = GapFilling<double>{.conductivity = 0.026};
-    same(joint, {1e7});
+    check(joint, {1e7});
     joint = {
         .face = {.mean_height = 0.8e-6, .process = Process::honed}, .upper = body("steel"), .lower = body("steel")};
-    same(joint, {1e3, 1e5});
+    check(joint, {1e3, 1e5});
 }
 
 TEST_CASE("An answer is the same whatever was asked before it, and in any thread") {
@@ -365,7 +350,7 @@ TEST_CASE("An answer is the same whatever was asked before it, and in any thread
 }
 
 TEST_CASE("The law of an answer and of the ends of its band is a table of K with its own approach") {
-    Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    Joint joint = numbers_on();
     joint.upper.hardness = joint.lower.hardness = std::numeric_limits<double>::infinity();
     std::vector<double> many;
     for (int i = 0; i <= 40; ++i) many.push_back(1e5 * std::pow(10, i / 10.0));
@@ -463,17 +448,12 @@ TEST_CASE("Threads of a host change no digit of the answer of a map, and hand on
     CHECK(std::count_if(found.points.begin(), found.points.end(),
                         [](const AnswerPoint& point) { return point.law == LawKind::boundary_elements; }) >= 2);
     for (std::size_t i = 0; i < many.size(); ++i) {
-        CHECK(found.points[i].stiffness.value == alone.points[i].stiffness.value);
-        CHECK(found.points[i].stiffness.low == alone.points[i].stiffness.low);
-        CHECK(found.points[i].stiffness.high == alone.points[i].stiffness.high);
+        CHECK(same(found.points[i].stiffness, alone.points[i].stiffness));
     }
-    Joint numbers{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    Joint numbers = numbers_on();
     numbers.face.errors.height = 0.1e-6, numbers.face.errors.gradient = 0.02;
     const Answer one = answer(numbers, many), two = answer(numbers, many, {.parallel = on_two_threads});
-    for (std::size_t i = 0; i < many.size(); ++i) {
-        CHECK(one.points[i].stiffness.low == two.points[i].stiffness.low);
-        CHECK(one.points[i].stiffness.high == two.points[i].stiffness.high);
-    }
+    for (std::size_t i = 0; i < many.size(); ++i) CHECK(same(one.points[i].stiffness, two.points[i].stiffness));
     const auto fails = [](std::size_t i) {
         if (i > 2) throw domain_error(std::to_string(i));
     };
@@ -490,17 +470,16 @@ TEST_CASE("A measured face serves many joints, each with the digits that a face 
         return Joint{.face = {.measured = face}, .upper = metal, .lower = metal};
     };
     const AnswerOptions options{.samples = 20, .solve_map = false};
-    const auto same = [&](int i) {
+    const auto serves = [&](int i) {
         const auto with = [&](const auto& face) {
             return answer(joint(face, i), std::vector{1e6, 2e7}, options).points.back().stiffness;
         };
-        const WithBand by_shared = with(shared), by_own = with(measured_face(surface));
-        return by_shared.low == by_own.low && by_shared.value == by_own.value && by_shared.high == by_own.high;
+        return same(with(shared), with(measured_face(surface)));
     };
-    for (int i = 0; i < 6; ++i) CHECK(same(i));  // more moduli than the face keeps contacts of
+    for (int i = 0; i < 6; ++i) CHECK(serves(i));  // more moduli than the face keeps contacts of
     std::array<bool, 4> of_threads{};
     std::vector<std::thread> threads;
-    for (int i = 0; i < 4; ++i) threads.emplace_back([&, i] { of_threads[static_cast<std::size_t>(i)] = same(i); });
+    for (int i = 0; i < 4; ++i) threads.emplace_back([&, i] { of_threads[static_cast<std::size_t>(i)] = serves(i); });
     for (std::thread& thread : threads) thread.join();
     CHECK(of_threads == std::array{true, true, true, true});
     CHECK(test::refusal([] { (void)measured_face(std::shared_ptr<const Surface<double>>()); }) ==
@@ -508,7 +487,7 @@ TEST_CASE("A measured face serves many joints, each with the digits that a face 
 }
 
 TEST_CASE("A contact by the name of its law has K of the answer, and keeps what it is made of") {
-    Joint joint{.face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
+    Joint joint = numbers_on();
     joint.upper.hardness = 1e9;
     const Answer found = answer(joint, pressures);
     const std::shared_ptr<const AnyContact> contact = contact_of(joint, laws::plastic);
@@ -523,42 +502,45 @@ TEST_CASE("A contact by the name of its law has K of the answer, and keeps what 
 }
 
 TEST_CASE("A joint out of range is refused by the name of its member") {
-    const Joint joint{
-        .face = {.rms_height = 0.8e-6, .rms_gradient = 0.1}, .upper = body("steel"), .lower = body("steel")};
-    const auto refused = [&](const auto& change, std::vector<double> at = pressures) {
+    const Joint joint = numbers_on();
+    const struct {
+        void (*change)(Joint&);
+        const char* sentence;
+    } rows[] = {
+        {[](Joint& of) { of.face.rms_height.reset(); }, "rms_height: is missing"},
+        {[](Joint& of) { of.face.rms_height = -1; }, "rms_height = -1: must be finite and greater than 0"},
+        {[](Joint& of) { of.face.rms_gradient = std::nan(""); }, "rms_gradient = nan"},
+        {[](Joint& of) { of.face.alpha = 1.5; }, "alpha = 1.5: must be finite and greater than 1.5"},
+        {[](Joint& of) { of.face.skewness = 0; }, "kurtosis: is missing; skewness and kurtosis belong together"},
+        {[](Joint& of) { of.face.hurst = 1.5; }, "hurst = 1.5: must be greater than 0 and at most 1"},
+        {[](Joint& of) { of.face.skewness = 0, of.face.kurtosis = 0.5; }, "kurtosis"},
+        {[](Joint& of) { of.nominal_area = 0; }, "nominal_area = 0"},
+        {[](Joint& of) { of.face.profile_gradient = 0.2; }, "profile_gradient: must not be given with rms_gradient"},
+        {[](Joint& of) { of.face.r = 0.5; }, "theta: is missing; r and theta belong together"},
+        {[](Joint& of) { of.face.r = 1, of.face.theta = 1; }, "r = 1: must be"},
+        {[](Joint& of) {
+             of.face.bearing = MaterialRatioSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
+         },
+         "bearing: belongs to an rms height of 0.0"},
+        {[](Joint& of) { of.face.errors.peak_radius = 1e-6; }, "error of peak_radius: needs the number"},
+        {[](Joint& of) { of.face.errors.height = -1; }, "error of the height = -1: must be"},
+        {[](Joint& of) { of.effective_modulus = 0; }, "effective_modulus = 0"},
+        {[](Joint& of) { of.lower.hardness = -2; }, "lower.hardness = -2"},
+        {[](Joint& of) { of.upper.elastic.poisson_ratio = 0.7; }, "upper.poisson_ratio = 0.7"},
+        {[](Joint& of) { of.waves = UltrasonicWaves{.frequency = 5e6, .film_stiffness = -1}; }, "film_stiffness = -1"},
+        {[](Joint& of) { of.waves = UltrasonicWaves{}; }, "frequency = 0"},
+        {[](Joint& of) { of.conduction.thermal = -1; }, "thermal = -1"}};
+    for (const auto& [change, sentence] : rows) {
         Joint other = joint;
         change(other);
-        return test::refusal([&] { (void)answer(other, at); });
-    };
-    CHECK(refused([](Joint& of) { of.face.rms_height.reset(); }).starts_with("rms_height: is missing"));
-    CHECK(refused([](Joint& of) {
-              of.face.rms_height = -1;
-          }).starts_with("rms_height = -1: must be finite and greater than 0"));
-    CHECK(refused([](Joint& of) { of.face.rms_gradient = std::nan(""); }).starts_with("rms_gradient = nan"));
-    CHECK(refused([](Joint& of) {
-              of.face.alpha = 1.5;
-          }).starts_with("alpha = 1.5: must be finite and greater than 1.5"));
-    CHECK(refused([](Joint& of) {
-              of.face.skewness = 0;
-          }).starts_with("kurtosis: is missing; skewness and kurtosis belong together"));
-    CHECK(refused([](Joint& of) { of.face.hurst = 1.5; }) == "hurst = 1.5: must be greater than 0 and at most 1");
-    CHECK(refused([](Joint& of) { of.face.skewness = 0, of.face.kurtosis = 0.5; }).find("kurtosis") !=
-          std::string::npos);
-    CHECK(refused([](Joint& of) { of.nominal_area = 0; }).starts_with("nominal_area = 0"));
-    CHECK(refused([](Joint& of) { of.face.profile_gradient = 0.2; }) ==
-          "profile_gradient: must not be given with rms_gradient");
-    CHECK(refused([](Joint& of) { of.face.r = 0.5; }) == "theta: is missing; r and theta belong together");
-    CHECK(refused([](Joint& of) { of.face.r = 1, of.face.theta = 1; }).starts_with("r = 1: must be"));
-    CHECK(refused([](Joint& of) {
-              of.face.bearing = MaterialRatioSlope<double>::of_heights(std::vector{-1e-3, 0.0, 1e-3});
-          }).starts_with("bearing: belongs to an rms height of 0.0"));
-    CHECK(refused([](Joint& of) { of.face.errors.peak_radius = 1e-6; }) == "error of peak_radius: needs the number");
-    CHECK(refused([](Joint& of) { of.face.errors.height = -1; }).starts_with("error of the height = -1: must be"));
-    CHECK(refused([](Joint& of) { of.effective_modulus = 0; }).starts_with("effective_modulus = 0"));
-    CHECK(refused([](Joint& of) { of.lower.hardness = -2; }).starts_with("lower.hardness = -2"));
-    CHECK(refused([](Joint& of) { of.upper.elastic.poisson_ratio = 0.7; }).starts_with("upper.poisson_ratio = 0.7"));
-    CHECK(refused([](Joint&) {}, {1e6, 0.0}).starts_with("pressure = 0: must be finite and greater than 0"));
-    CHECK(refused([](Joint&) {}, {}) == "pressures: must have at least one");
+        const std::string refusal = test::refusal([&] { (void)answer(other, pressures); });
+        INFO(sentence << " expected: " << refusal);
+        CHECK(refusal.starts_with(sentence));
+    }
+    CHECK(test::refusal([&] {
+              (void)answer(joint, {1e6, 0.0});
+          }).starts_with("pressure = 0: must be finite and greater than 0"));
+    CHECK(test::refusal([&] { (void)answer(joint, std::vector<double>{}); }) == "pressures: must have at least one");
     CHECK(test::refusal([&] { (void)contact_of(joint, laws::boundary_elements); }) ==
           "law boundary_elements: needs a measured map");
     CHECK(test::refusal([&] { (void)contact_of(joint, laws::fractal); }) == "law fractal: needs fractal_dimension");

@@ -14,18 +14,12 @@ namespace joints_test {
 namespace {
 
 using namespace fstiff;
+using test::input_of;
 
 const std::string surface =
     "[surface]\nrms_height = \"0.8 um\"\nrms_gradient = 0.1\nalpha = 5\nerrors = { rms_height = \"0.08 um\" }\n";
 const std::string laws = "laws = [\"hybrid\", \"hertz\", \"persson\"]\n";
 const std::string few = "[uncertainty]\nsamples = 20\n";
-
-const request::Input& input_of(const scene::Scene& read, const std::string& key) {
-    const auto found =
-        std::find_if(read.inputs.begin(), read.inputs.end(), [&](const auto& one) { return one.key == key; });
-    if (found == read.inputs.end()) throw std::runtime_error("no input " + key);
-    return *found;
-}
 
 bool has(const test::Csv& rows, const std::string& column) {
     return std::count(rows.header().begin(), rows.header().end(), column) > 0;
@@ -200,12 +194,6 @@ TEST_CASE("Where boundary elements of the map answer, the approach begins at the
     CHECK(test::relative_error(approach(best.answer), approach(elements.curves().front())) < 1e-9);
 }
 
-TEST_CASE("K in N/m is refused where no area is known") {
-    test::check_sentence(test::refused_scene(surface + "[contact]\npressures = [\"10 MPa\"]\n" + laws +
-                                             "[output]\nquantities = [\"joint_stiffness\"]\n"),
-                         {":10: output.quantities", "contact.nominal_area or contact.washer", "joint_stiffness"});
-}
-
 TEST_CASE("Two rough faces of two named materials under a force are one face of the closed forms") {
     const double modulus = 1 / (compliance(210e9, 0.3) + compliance(100.6e9, 0.35));
     const auto named = test::results_of(
@@ -311,19 +299,6 @@ TEST_CASE("A surface in place of that of the built-in scene has its bodies, with
     CHECK(of_bodies(of_file) == std::vector<std::string>{"the material, which is the steel of the built-in scene"});
     CHECK(!of_file.joint.nominal_area);
     CHECK_THROWS_AS(input_of(of_file, "contact.nominal_area"), std::runtime_error);
-}
-
-TEST_CASE("A scene of five lines gives K of a joint with a measured trace") {
-    const test::Folder folder;
-    folder.write("trace.csv", trace());
-    const std::string text =
-        "material.upper = \"steel\"\n[surface]\nfrom = \"trace.csv\"\n[contact]\nforce = \"20 kN\"\n"
-        "nominal_area = \"200 mm^2\"\n";
-    const test::Csv rows = test::rows_of_scene(text, folder.write("joint.toml", text));
-    CHECK(rows.number(0, "force_N") == 2e4);
-    CHECK(rows.number(0, "stiffness_p05_N_per_m") < rows.number(0, "stiffness_N_per_m"));
-    CHECK(rows.number(0, "stiffness_N_per_m") < rows.number(0, "stiffness_p95_N_per_m"));
-    CHECK(rows.number(0, "approach_m") > 0);
 }
 
 TEST_CASE("data/bolted_joint.toml is the joint that docs/finite_elements.md describes") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One file has one R, one sigma and one K: what the command writes, the headers and the C interface agree to the last
-// digit. tests/python/test_surfaces.py holds the Python package to the command.
+// One file has one R, one sigma and one K: what the command writes and the headers agree to the last digit.
+// tests/python/test_surfaces.py holds the Python package to the command, tests/c the C interface to the headers.
 #include "support/library.hpp"
 #include "support/skip.hpp"
 
@@ -12,9 +12,6 @@
 #include <fstiff/contact/hybrid_of_map.hpp>
 #include <fstiff/contact/rough_contact.hpp>
 #include <fstiff/measure/pooled_surface.hpp>
-#ifdef FSTIFF_TEST_HAS_C
-#include <fstiff.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -67,35 +64,6 @@ Numbers numbers_of(const nlohmann::json& surface) {
     return all;
 }
 
-#ifdef FSTIFF_TEST_HAS_C
-Numbers numbers_of(const fstiff_surface& surface) {
-    Numbers all;
-    const auto add = [&](const char* name, const fstiff_measured& one) {
-        if (one.known) all[name] = {one.value, one.error};
-    };
-    add("rms_height", surface.rms_height);
-    add("peak_radius", surface.peak_radius);
-    add("peak_density", surface.peak_density);
-    add("max_peak_height", surface.max_peak_height);
-    add("rms_gradient", surface.rms_gradient);
-    add("skewness", surface.skewness);
-    add("kurtosis", surface.kurtosis);
-    add("fractal_dimension", surface.fractal_dimension);
-    add("fractal_roughness", surface.fractal_roughness);
-    add("r", surface.r);
-    add("theta", surface.theta);
-    return all;
-}
-
-int measure_by_c(const Profile<double>& profile, fstiff_surface& to) {
-    return fstiff_measure_profile(profile.heights.data(), profile.size(), profile.spacing, nullptr, &to);
-}
-int measure_by_c(const HeightMap<double>& map, fstiff_surface& to) {
-    return fstiff_measure_map(map.heights.data(), static_cast<std::size_t>(map.rows()),
-                              static_cast<std::size_t>(map.columns()), map.dx, map.dy, nullptr, &to);
-}
-#endif
-
 void require_same(const Numbers& found, const Numbers& wanted) {
     REQUIRE(found.size() == wanted.size());
     for (const auto& [name, one] : wanted) {
@@ -124,7 +92,7 @@ void require_same(const nlohmann::json& document, const Surface<double>& surface
     for (std::size_t k = 0; k < neighbours.size(); ++k) require_same(neighbours[k], surface.neighbours[k]);
 }
 
-/// Whether the file is measured; then the headers and C find the same numbers, else they refuse it too.
+/// Whether the file is measured; then the headers find the same numbers, else they refuse it too.
 bool is_measured(const std::filesystem::path& path) {
     const auto units = units_of_files.find(path.filename().string());
     const std::string line = units == units_of_files.end() ? "" : "--units " + units->second;
@@ -143,16 +111,6 @@ bool is_measured(const std::filesystem::path& path) {
     std::vector<std::string> concerns;
     for (const MeasuredConcern one : surface.concerns) concerns.emplace_back(name_of(one));
     CHECK(document["concerns"] == concerns);
-#ifdef FSTIFF_TEST_HAS_C
-    fstiff_surface by_c{};
-    by_c.size = sizeof by_c;
-    REQUIRE(std::visit([&](const auto& heights) { return measure_by_c(heights, by_c); }, input.surface.data) ==
-            FSTIFF_OK);
-    require_same(numbers_of(by_c), numbers_of(surface));
-    CHECK(by_c.lambda_s == surface.cut_offs.lambda_s.value_or(0));
-    CHECK(by_c.lambda_c == surface.cut_offs.lambda_c.value_or(0));
-    CHECK(by_c.peaks == surface.peaks_counted);
-#endif
     return true;
 }
 
@@ -212,7 +170,7 @@ std::size_t measured_files(const std::filesystem::path& folder) {
 
 }  // namespace
 
-TEST_CASE("The command, the headers and C find the same numbers in every file of data") {
+TEST_CASE("The command and the headers find the same numbers in every file of data") {
     const test::Folder folder;
     const SelfAffineOptions<double> fine{.hurst = 0.4, .rms = 0.3e-6, .longest_wavelength = 90e-6},
         coarse{.hurst = 0.7, .rms = 3e-6, .seed = 2}, of_map{.hurst = 0.7, .rms = 0.2e-6, .longest_wavelength = 12e-6};
@@ -295,7 +253,7 @@ TEST_CASE("The command and the headers find the same K of a map by hybrid") {
               1e-12);
 }
 
-TEST_CASE("The command, the headers and C find the same numbers in every measured file") {
+TEST_CASE("The command and the headers find the same numbers in every measured file") {
     if (!std::filesystem::exists(FSTIFF_SURFACES))
         SKIP_CASE("there is no folder of measured surfaces " FSTIFF_SURFACES);
     CHECK(measured_files(FSTIFF_SURFACES) >= 8);

@@ -159,6 +159,7 @@ TEST_CASE("A shorter range, and what a table cannot be made of") {
           "until = 1000000: must be greater than from, 1e+06 Pa; the scene has only one pressure");
     CHECK(refusal({.from = -1.0}) == "from = -1: must be finite and greater than 0");
     CHECK(refusal({.tolerance = 0.3}) == "tolerance = 0.3: must be between 0.001 % and 20 %");
+    CHECK(refusal({.tolerance = 0.9e-5}).starts_with("tolerance = 9e-06: must be"));
     CHECK(refusal({.slope_tolerance = 1e-4}) == "slope_tolerance = 0.0001: must be between 0.1 % and 100 %");
 }
 

@@ -77,19 +77,12 @@ TEST_CASE("Values of a scene that are rare are refused with what is allowed") {
                          {"scene.toml: has ", "must be at most 1 MiB"});
 }
 
-TEST_CASE("A table of pressures asks a scene of separations, or of one pressure, for its range") {
-    const scene::Scene one = test::scene_of(good);
-    const scene::Scene by_separation =
+TEST_CASE("A table of pressures asks a scene of separations for its range") {
+    const scene::Scene read =
         test::scene_of(test::replaced(good, "pressures = [\"1 MPa\"]", "separations = [\"1 um\"]"));
-    const auto refused = [](const scene::Scene& of, const actions::PressureTableOptions& how) {
-        return test::refusal([&] { (void)actions::pressure_table(of, how); });
-    };
-    test::check_sentence(refused(by_separation, {}), {"from and until must give the range"});
-    CHECK(refused(by_separation, {.from = 1e6, .to = 1e7}).empty());
-    test::check_sentence(refused(one, {}), {"until = ", "greater than from, 1e+06 Pa"});
-    CHECK(refused(one, {.to = 1e7}).empty());
-    test::check_sentence(refused(one, {.peaks = 2, .to = 1e7}), {"peaks = 2", "between 1 and 1, as many as"});
-    test::check_sentence(refused(one, {.law = "fractal", .to = 1e7}), {"law = \"fractal\"", "\"hertz\""});
+    test::check_sentence(test::refusal([&] { (void)actions::pressure_table(read, {}); }),
+                         {"from and until must give the range"});
+    CHECK(test::refusal([&] { (void)actions::pressure_table(read, {.from = 1e6, .to = 1e7}); }).empty());
 }
 
 TEST_CASE("A document of a measurement without its parts, or with impossible ones, is refused") {

@@ -17,6 +17,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/half_space_maps.hpp"
+#include "support/library.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,7 @@ namespace read_scene_test {
 
 using namespace fstiff;
 using fstiff::Parameter;
-using test::contains;
+using test::contains, test::joined;
 
 namespace {
 
@@ -44,12 +45,6 @@ scene::Scene read(const std::string& text) { return scene::read_scene(text, {.na
 std::string refused(const std::string& text) {
     return test::refusal([&] { (void)read(text); });
 }
-std::string joined(const std::vector<std::string>& lines) {
-    std::string all;
-    for (const std::string& line : lines) all += line + "\n";
-    return all;
-}
-
 /// The relative width of the band of the first curve at its first point.
 double width(const std::string& text) {
     const auto results = actions::compute(read(text));
@@ -69,12 +64,15 @@ std::string trace(const test::Folder& folder, const std::string& name, int point
     return folder.write(name, text);
 }
 
+std::string from_trace(const test::Folder& folder) {
+    return "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+}
+
 }  // namespace
 
 TEST_CASE("theta written next to a measured r holds for the neighbours of lambda_s too") {
     const test::Folder folder;
-    const std::string from =
-        "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+    const std::string from = from_trace(folder);
     const scene::Scene measured = read(text_of(from)), theta = read(text_of(from + "theta = 1.5\n")),
                        r = read(text_of(from + "r = 0.25\n"));
     REQUIRE(measured.joint.face.neighbours.size() == 2);
@@ -92,8 +90,7 @@ TEST_CASE("theta written next to a measured r holds for the neighbours of lambda
 
 TEST_CASE("What is written next to what was measured holds for the neighbours of lambda_s too, and without an error") {
     const test::Folder folder;
-    const std::string from =
-        "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+    const std::string from = from_trace(folder);
     const detail::Face measured = read(text_of(from)).joint.face,
                        written = read(text_of(from + "rms_height = \"2 um\"\nfractal_dimension = 1.25\nalpha = 9\n"
                                                      "hurst = 0.75\nskewness = -1\nkurtosis = 6\n"
@@ -117,8 +114,7 @@ TEST_CASE("What is written next to what was measured holds for the neighbours of
 
 TEST_CASE("Without a band nothing is measured with other lambda_s, and all else is the same") {
     const test::Folder folder;
-    const std::string from =
-        "from = \"" + trace(folder, "trace.txt", 4000) + "\"\nunits = \"um\"\nlambda_s = \"3 um\"\n";
+    const std::string from = from_trace(folder);
     const auto with = [&](int samples) {
         return read(text_of(from, "laws = [\"hertz\"]\n[uncertainty]\nsamples = " + std::to_string(samples) + "\n"));
     };
@@ -137,13 +133,8 @@ TEST_CASE("Without a band nothing is measured with other lambda_s, and all else 
 
 TEST_CASE("contact.summits.mutual is true or false, or 1 or 0") {
     const test::Folder folder;
-    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
-    map.heights = (1e-4 * map.heights.topLeftCorner(48, 48)).eval();
-    map.dx = map.dy = 1e-4 / 256;
-    std::ofstream file(folder / "map.csv");
-    fstiff::io::write_csv(file, map);
-    file.close();
-    const std::string from = "from = \"" + folder / "map.csv" + "\"\nlambda_s = \"none\"\n";
+    const fstiff::HeightMap<double> map = test::corner_of_map(48);
+    const std::string from = "from = \"" + folder.write("map.csv", test::file_text(map)) + "\"\nlambda_s = \"none\"\n";
     const auto with = [&](const std::string& mutual) {
         return text_of(from, "laws = [\"summits\"]\n[contact.summits]\nmutual = " + mutual + "\n");
     };
@@ -208,9 +199,8 @@ TEST_CASE("The error of rms_gradient widens the band, of R and D_p too where the
 
 TEST_CASE("H and alpha that were assumed are among the inputs, and those that were given are not assumed") {
     const auto input = [](const scene::Scene& of, const std::string& key) {
-        const auto found =
-            std::find_if(of.inputs.begin(), of.inputs.end(), [&](const request::Input& one) { return one.key == key; });
-        return found == of.inputs.end() ? std::string() : found->shown() + " " + document::rounded(*found->value, 3);
+        const request::Input& found = test::input_of(of, key);
+        return found.shown() + " " + document::rounded(*found.value, 3);
     };
     const std::string persson = "laws = [\"persson\"]\n";
     const std::string spectrum = "rms_height = \"1 um\"\npeak_radius = \"4 um\"\npeak_density = \"20000 /mm^2\"\n";
@@ -248,9 +238,7 @@ TEST_CASE("A file that is listed twice counts once, and both names are reported"
 }
 
 TEST_CASE("truth warns where elastic pressures exceed the hardness of the body, and not where they are cut") {
-    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
-    map.heights = (1e-4 * map.heights.topLeftCorner(32, 32)).eval();
-    map.dx = map.dy = 1e-4 / 256;
+    const fstiff::HeightMap<double> map = test::corner_of_map(32);
     actions::TruthRequest request;
     request.surface.file = "map";
     request.modulus = 100e9;
@@ -269,9 +257,7 @@ TEST_CASE("truth warns where elastic pressures exceed the hardness of the body, 
 }
 
 TEST_CASE("The separation of boundary elements is that of the mean planes: of the highest point at a light load") {
-    fstiff::HeightMap<double> map = test::half_space_map("gaussian");
-    map.heights = (1e-4 * map.heights.topLeftCorner(64, 64)).eval();
-    map.dx = map.dy = 1e-4 / 256;
+    const fstiff::HeightMap<double> map = test::corner_of_map(64);
     actions::TruthRequest request;
     request.surface.file = "map";
     request.surface.detrend = "mean";

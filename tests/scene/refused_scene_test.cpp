@@ -4,6 +4,8 @@
 
 namespace refused_scene_test {
 
+using test::input_of;
+
 namespace {
 
 const std::string good = R"(name = "short"
@@ -29,13 +31,6 @@ void check_scene_refused(const std::string& scene, const std::vector<std::string
     test::check_sentence(test::refused_scene(scene), parts);
 }
 
-/// The input of \p key that \p scene records.
-const fstiff::request::Input& input_of(const fstiff::scene::Scene& scene, const std::string& key) {
-    for (const auto& one : scene.inputs)
-        if (one.key == key) return one;
-    throw std::runtime_error("no input " + key);
-}
-
 }  // namespace
 
 TEST_CASE("The example of docs/scene.md is computed") {
@@ -57,18 +52,13 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
         {"\"0.832 um\"", "\"1e400 um\"", {":3: surface.rms_height", "1e400"}},
         {"\"0.832 um\"", "true", {":3: surface.rms_height = true", "must be"}},
         {"\"0.832 um\"", "\"0 um\"", {":3: surface.rms_height = \"0 um\"", "greater than 0"}},
-        {"\"40 um\"", "\"-40 um\"", {":4: surface.peak_radius = \"-40 um\"", "greater than 0"}},
-        {"\"500 /mm^2\"", "\"-1 /mm^2\"", {":5: surface.peak_density", "greater than 0"}},
         {"= 1.62", "= 1.0", {":6: surface.fractal_dimension = 1:", "must be greater than 1 and at most 1.99"}},
-        {"= 1.62", "= 2", {":6: surface.fractal_dimension = 2:", "must be greater than 1 and at most 1.99"}},
         {"= 1.62", "= nan", {":6: surface.fractal_dimension = nan", "finite"}},
         {"= 1.62", "= \"1.62\"", {":6: surface.fractal_dimension = \"1.62\"", "number"}},
         {"fractal_dimension = 1.62\n", "", {"surface.fractal_dimension", "missing", "fractal"}},
         {"\"205 GPa\"", "\"0 GPa\"", {":8: material.upper.youngs_modulus", "greater than 0"}},
-        {"\"205 GPa\"", "\"-205 GPa\"", {":8: material.upper.youngs_modulus", "greater than 0"}},
         {"= 0.3", "= 0.51", {":9: material.upper.poisson_ratio = 0.51", "at most 0.5"}},
         {"= 0.3", "= -1", {":9: material.upper.poisson_ratio = -1", "greater than -1"}},
-        {"= 0.3", "= inf", {":9: material.upper.poisson_ratio = inf", "finite"}},
         {"\"195 mm^2\"", "\"-195 mm^2\"", {":11: contact.nominal_area", "greater than 0"}},
         {"[\"1 MPa\"]", "[]", {":12: contact.pressures = []", "empty list", "at least one"}},
         {"[\"1 MPa\"]", "[\"1 MPa\", 2]", {":12: contact.pressures[1] = 2", "without a unit"}},
@@ -159,10 +149,6 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
          "[\"speed\"]",
          {":17: output.quantities[0] = \"speed\"", "\"approach\"",
           "\"stiffness\", \"separation\", \"real_area\", \"contacts\""}},
-        {"rms_height", "rms_heigth", {":3: surface.rms_heigth", "unknown key", "(did you mean rms_height?)"}},
-        {"[material.upper]\nyoungs_modulus = \"205 GPa\"\npoisson_ratio = 0.3\n",
-         "[material]\nupper = \"stel\"\n",
-         {":8: material.upper = \"stel\"", "(did you mean steel?)", "or a section"}},
         {"[output]", "[outputs]", {"outputs", "unknown key", "\"output\""}},
         {"[surface]", "[surfaces]", {"unknown key", "\"surface\""}},
         {"[material.upper]", "[material.uper]", {"material.uper", "unknown key", "\"upper\", \"lower\""}},
@@ -179,24 +165,27 @@ TEST_CASE("A bad value in a scene is refused with file, line, key, value and wha
         INFO(c.from << " -> " << c.to);
         check_scene_refused(test::replaced(good, c.from, c.to), c.parts);
     }
+    check_scene_refused(
+        "[surface]\nSq = \"1 um\"\n[contact]\npressures = [\"10 MPa\"]\n[output]\n"
+        "quantities = [\"joint_stiffness\"]\n",
+        {":6: output.quantities", "contact.nominal_area or contact.washer", "joint_stiffness"});
 }
 
 TEST_CASE("A ball without a force, and with what belongs to flat faces, is refused") {
-    const std::string face = "[surface]\nrms_height = \"0.3 um\"\n[contact]\n", ball = "ball_radius = \"10 mm\"\n",
-                      force = "force = \"10 N\"\n";
-    const auto refused = [](const std::string& text, const std::vector<std::string>& parts) {
-        test::check_sentence(test::refused_scene(text), parts);
-    };
-    refused(face + "ball_radius = \"0 mm\"\n" + force, {"scene.toml:4", "contact.ball_radius", "greater than 0"});
-    refused(face + "ball_radius = \"-5 mm\"\n" + force, {"contact.ball_radius", "greater than 0"});
-    refused(face + ball + "pressures = [\"1 MPa\"]\n", {"contact.ball_radius", "contact.force", "contact.pressures"});
-    refused(face + ball, {"contact.pressures", "missing"});
-    refused(face + ball + force + "nominal_area = \"1 mm^2\"\n", {"contact.nominal_area", "contact.ball_radius"});
-    refused(face + ball + force + "washer = { inner = \"1 mm\", outer = \"2 mm\" }\n",
-            {"contact.washer", "contact.ball_radius"});
-    refused(face + ball + force + "laws = [\"hybrid\"]\n", {"contact.laws", "contact.ball_radius"});
-    for (const std::string section : {"gap", "friction", "ultrasound"})
-        refused(face + ball + force + "[" + section + "]\n", {"contact.ball_radius", "section " + section});
+    const std::string ball = "ball_radius = \"10 mm\"\n", force = "force = \"10 N\"\n", both = ball + force;
+    const std::pair<std::string, std::vector<std::string>> rows[] = {
+        {"ball_radius = \"0 mm\"\n" + force, {"scene.toml:4", "contact.ball_radius", "greater than 0"}},
+        {"ball_radius = \"-5 mm\"\n" + force, {"contact.ball_radius", "greater than 0"}},
+        {ball + "pressures = [\"1 MPa\"]\n", {"contact.ball_radius", "contact.force", "contact.pressures"}},
+        {ball, {"contact.pressures", "missing"}},
+        {both + "nominal_area = \"1 mm^2\"\n", {"contact.nominal_area", "contact.ball_radius"}},
+        {both + "washer = { inner = \"1 mm\", outer = \"2 mm\" }\n", {"contact.washer", "contact.ball_radius"}},
+        {both + "laws = [\"hybrid\"]\n", {"contact.laws", "contact.ball_radius"}},
+        {both + "[gap]\n", {"contact.ball_radius", "section gap"}},
+        {both + "[friction]\n", {"contact.ball_radius", "section friction"}},
+        {both + "[ultrasound]\n", {"contact.ball_radius", "section ultrasound"}}};
+    for (const auto& [contact, parts] : rows)
+        check_scene_refused("[surface]\nrms_height = \"0.3 um\"\n[contact]\n" + contact, parts);
 }
 
 TEST_CASE("Characters beyond ASCII are welcome in quotation marks and comments") {

@@ -8,6 +8,7 @@ namespace words_test {
 namespace {
 
 using namespace fstiff;
+using test::input_of;
 
 std::string scene(const std::string& surface, const std::string& contact = "pressures = \"10 MPa\"",
                   const std::string& more = "") {
@@ -19,58 +20,39 @@ std::string refused(const std::string& text) { return test::refused_scene(text);
 
 scene::Scene read(const std::string& text) { return scene::read_scene(text, {.name = "scene.toml"}); }
 
-const request::Input& input_of(const scene::Scene& of, const std::string& key) {
-    for (const auto& one : of.inputs)
-        if (one.key == key) return one;
-    throw std::runtime_error("no input " + key);
-}
-
 }  // namespace
 
 TEST_CASE("A wrong key proposes the key in other capitals, then the word of the field, then the nearest") {
-    struct Case {
-        std::string section, key, meant;
-    };
-    for (const auto& [section, key, meant] : std::vector<Case>{
-             {"surface", "ra", "Ra"},
-             {"surface", "RA", "Ra"},
-             {"surface", "SQ", "Sq"},
-             {"surface", "rsm", "RSm"},
-             {"surface", "rms", "rms_height"},
-             {"surface", "sigma", "rms_height"},
-             {"surface", "RMS", "rms_height"},
-             {"surface", "CLA", "Ra"},
-             {"surface", "AA", "Ra"},
-             {"surface", "roughness", "Ra"},
-             {"surface", "slope", "rms_gradient"},
-             {"surface", "rms_slope", "rms_gradient"},
-             {"surface", "R", "peak_radius"},
-             {"surface", "D", "fractal_dimension"},
-             {"surface", "H", "hurst"},
-             {"surface", "rms_heigth", "rms_height"},
-             {"surface", "proces", "process"},
-             {"contact", "area", "nominal_area"},
-             {"contact", "A0", "nominal_area"},
-             {"contact", "F", "force"},
-             {"contact", "load", "force"},
-             {"contact", "ball_diameter", "ball_radius"},
-             {"contact", "separation", "separations"},
-             {"material.upper", "E", "youngs_modulus"},
-             {"material.upper", "nu", "poisson_ratio"},
-             {"material.upper", "Rp02", "yield_strength"},
-             {"material.upper", "HV", "hardness"},
-             {"friction", "mu", "coefficient"},
-         }) {
-        INFO(section << "." << key);
-        const std::string line = "\n" + key + " = 1\n";
-        const std::string text = section == "surface" ? scene(line)
-                                 : section == "contact"
-                                     ? scene(face, line)
-                                     : scene(face, "pressures = \"1 MPa\"", "[" + section + "]" + line);
-        const std::string sentence = refused(text);
-        CHECK(
-            test::contains(sentence, section + "." + key + ": unknown key (did you mean " + meant + "?); valid keys"));
-    }
+    const std::array<std::string, 3> rows[] = {{"surface", "Ra", "ra RA CLA AA roughness"},
+                                               {"surface", "Sq", "SQ"},
+                                               {"surface", "RSm", "rsm"},
+                                               {"surface", "rms_height", "rms sigma RMS"},
+                                               {"surface", "rms_gradient", "slope rms_slope"},
+                                               {"surface", "peak_radius", "R"},
+                                               {"surface", "fractal_dimension", "D"},
+                                               {"surface", "hurst", "H"},
+                                               {"surface", "process", "proces"},
+                                               {"contact", "nominal_area", "area A0"},
+                                               {"contact", "force", "F load"},
+                                               {"contact", "ball_radius", "ball_diameter"},
+                                               {"contact", "separations", "separation"},
+                                               {"material.upper", "youngs_modulus", "E"},
+                                               {"material.upper", "poisson_ratio", "nu"},
+                                               {"material.upper", "yield_strength", "Rp02"},
+                                               {"material.upper", "hardness", "HV"},
+                                               {"friction", "coefficient", "mu"}};
+    for (const auto& [section, meant, words] : rows)
+        for (const std::string& key : test::words_of(words)) {
+            INFO(section << "." << key);
+            const std::string line = "\n" + key + " = 1\n";
+            const std::string text = section == "surface" ? scene(line)
+                                     : section == "contact"
+                                         ? scene(face, line)
+                                         : scene(face, "pressures = \"1 MPa\"", "[" + section + "]" + line);
+            const std::string sentence = refused(text);
+            CHECK(test::contains(sentence,
+                                 section + "." + key + ": unknown key (did you mean " + meant + "?); valid keys"));
+        }
 }
 
 TEST_CASE("A short key without a meaning proposes nothing") {
@@ -83,32 +65,21 @@ TEST_CASE("A short key without a meaning proposes nothing") {
 }
 
 TEST_CASE("What the model does not have is one sentence with its page") {
-    struct Case {
-        std::string key, page;
-    };
-    for (const auto& [key, page] : std::vector<Case>{{"temperature", "docs/trust.md"},
-                                                     {"lubricant", "docs/worn-and-lubricated.md"},
-                                                     {"oil_viscosity", "docs/worn-and-lubricated.md"},
-                                                     {"coating", "docs/trust.md"},
-                                                     {"coating_thickness", "docs/trust.md"},
-                                                     {"torque", "docs/finite_elements.md"},
-                                                     {"preload", "docs/finite_elements.md"},
-                                                     {"bolt", "docs/finite_elements.md"},
-                                                     {"cylinder", "docs/finite_elements.md"},
-                                                     {"cylinder_radius", "docs/finite_elements.md"},
-                                                     {"damping", "docs/friction.md"},
-                                                     {"friction", "docs/friction.md"},
-                                                     {"adhesion", "docs/trust.md"},
-                                                     {"waviness", "docs/trust.md"},
-                                                     {"wear", "docs/worn-and-lubricated.md"}}) {
-        INFO(key);
-        const std::string sentence = refused(scene(face, "pressures = \"1 MPa\"\n" + key + " = 1"));
-        CHECK(test::contains(sentence, "contact." + key + ": unknown key; "));
-        CHECK(test::contains(sentence, "(" + page + ")"));
-        CHECK_FALSE(test::contains(sentence, "did you mean"));
-        CHECK_FALSE(test::contains(sentence, "nominal_area\", "));  // no list of keys
-        CHECK(std::filesystem::exists(FSTIFF_SCENES "/../" + page));
-    }
+    const std::pair<std::string, std::string> rows[] = {
+        {"docs/trust.md", "temperature coating coating_thickness adhesion waviness"},
+        {"docs/worn-and-lubricated.md", "lubricant oil_viscosity wear"},
+        {"docs/finite_elements.md", "torque preload bolt cylinder cylinder_radius"},
+        {"docs/friction.md", "damping friction"}};
+    for (const auto& [page, words] : rows)
+        for (const std::string& key : test::words_of(words)) {
+            INFO(key);
+            const std::string sentence = refused(scene(face, "pressures = \"1 MPa\"\n" + key + " = 1"));
+            CHECK(test::contains(sentence, "contact." + key + ": unknown key; "));
+            CHECK(test::contains(sentence, "(" + page + ")"));
+            CHECK_FALSE(test::contains(sentence, "did you mean"));
+            CHECK_FALSE(test::contains(sentence, "nominal_area\", "));  // no list of keys
+            CHECK(std::filesystem::exists(FSTIFF_SCENES "/../" + page));
+        }
     CHECK(test::contains(refused(scene(face, "pressures = \"1 MPa\"", "[bolt]\ntorque = 1")),
                          "bolt: unknown key; a bolt"));
 }

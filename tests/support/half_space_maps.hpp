@@ -22,4 +22,12 @@ inline fstiff::HeightMap<double> half_space_map(const std::string& name) {
     return map;
 }
 
+/// A corner of the Gaussian map of \p points a side, in SI over (100 um)^2 as a whole, \p taller times as high.
+inline fstiff::HeightMap<double> corner_of_map(Eigen::Index points, double taller = 1) {
+    fstiff::HeightMap<double> map = half_space_map("gaussian");
+    map.heights = (taller * 1e-4 * map.heights.topLeftCorner(points, points)).eval();
+    map.dx = map.dy = 1e-4 / 256;
+    return map;
+}
+
 }  // namespace test

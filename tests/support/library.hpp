@@ -155,6 +155,13 @@ inline const fstiff::surface::MeasuredSurface& measured_of(const fstiff::scene::
     return *scene.measured.front();
 }
 
+/// The input of \p key that \p scene records.
+inline const fstiff::request::Input& input_of(const fstiff::scene::Scene& scene, const std::string& key) {
+    const auto found = std::ranges::find(scene.inputs, key, &fstiff::request::Input::key);
+    if (found == scene.inputs.end()) throw std::runtime_error("no input " + key);
+    return *found;
+}
+
 /// The states of the points of \p curve that have one.
 inline std::vector<fstiff::ContactState<double>> states_of(const fstiff::AnswerCurve& curve) {
     std::vector<fstiff::ContactState<double>> states;
@@ -200,16 +207,20 @@ inline void check_sentence(const std::string& sentence, const std::vector<std::s
     }
 }
 
-/// A self-affine profile or map of \p points (a side) every \p spacing [m], as the text of a file.
-inline std::string profile_text(std::size_t points, double spacing, const fstiff::SelfAffineOptions<double>& how) {
+/// \p heights, a profile or a map, as the text of a file.
+template <class Heights>
+std::string file_text(const Heights& heights) {
     std::ostringstream text;
-    fstiff::io::write_csv(text, self_affine_profile(how, points, spacing));
+    fstiff::io::write_csv(text, heights);
     return text.str();
 }
+
+/// A self-affine profile or map of \p points (a side) every \p spacing [m], as the text of a file.
+inline std::string profile_text(std::size_t points, double spacing, const fstiff::SelfAffineOptions<double>& how) {
+    return file_text(self_affine_profile(how, points, spacing));
+}
 inline std::string map_text(std::size_t points, double spacing, const fstiff::SelfAffineOptions<double>& how) {
-    std::ostringstream text;
-    fstiff::io::write_csv(text, self_affine_map(how, points, points, spacing, spacing));
-    return text.str();
+    return file_text(self_affine_map(how, points, points, spacing, spacing));
 }
 
 }  // namespace test
