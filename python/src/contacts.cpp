@@ -95,9 +95,9 @@ std::vector<const Output*> chosen(const OneContact& contact, const std::optional
 /// Columns by their keys, and why a point has none.
 using Evaluated = std::pair<nb::dict, nb::dict>;
 
-template <class Call>
-Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& names,
-                   const Call& call) {
+/// The states of \p contact at \p x, which are what \p at takes.
+template <auto at>
+Evaluated states(const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& names) {
     const auto wanted = chosen(contact, names);
     Quantity quantities = Quantity::pressure | Quantity::separation;
     std::vector<NewArray> columns;
@@ -113,7 +113,8 @@ Evaluated evaluate(const OneContact& contact, const In& x, const std::optional<s
         const std::span<const double> all = numbers_of(x);
         for (std::size_t begin = 0; begin < all.size(); begin += part) {
             interrupted("points", begin, all.size());
-            const auto points = call(all.subspan(begin, std::min(part, all.size() - begin)), quantities);
+            const auto points =
+                (contact.contact.get()->*at)(all.subspan(begin, std::min(part, all.size() - begin)), quantities);
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const ContactPoint<double>& point = points[i];
                 if (!point.ok())
@@ -306,18 +307,8 @@ void add_contacts(nb::module_& m) {
     nb::class_<OneContact>(m, "Contact", "A contact; see fstiff.Contact.")
         .def_static("of_numbers", &of_numbers, nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"),
                     nb::arg("measured").none())
-        .def("at_pressures",
-             [](const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& quantities) {
-                 return evaluate(contact, x, quantities, [&](std::span<const double> some, Quantity wanted) {
-                     return contact.contact->at_pressures(some, wanted);
-                 });
-             })
-        .def("at_separations",
-             [](const OneContact& contact, const In& x, const std::optional<std::vector<std::string>>& quantities) {
-                 return evaluate(contact, x, quantities, [&](std::span<const double> some, Quantity wanted) {
-                     return contact.contact->at_separations(some, wanted);
-                 });
-             })
+        .def("at_pressures", &states<&AnyContact::at_pressures>)
+        .def("at_separations", &states<&AnyContact::at_separations>)
         .def(
             "tabulate",
             [](const OneContact& contact, double min_pressure, double max_pressure, const std::string& outside) {
@@ -331,24 +322,22 @@ void add_contacts(nb::module_& m) {
         .def_prop_ro("law", [](const OneContact& contact) { return std::string(contact.law->name); })
         .def_prop_ro("nature", [](const OneContact& contact) { return std::string(contact.law->nature); });
     m.def(
-        "effective_modulus",
-        [](double modulus, double poisson, double modulus2, double poisson2) {
-            return effective_modulus(Material<double>{modulus, poisson}, Material<double>{modulus2, poisson2});
-        },
-        nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
-    m.def(
         "sensitivity",
         [](const std::string& law, const Numbers& numbers, const std::string& interaction, double pressure) {
             const nb::gil_scoped_release free;
             return actions::sensitivity_of(law, joint_of(numbers, interaction), pressure);
         },
         nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"), nb::arg("pressure"));
-    m.def(
-        "tangential_ratio",
-        [](double modulus, double poisson, double modulus2, double poisson2) {
-            return tangential_ratio(Material<double>{modulus, poisson}, Material<double>{modulus2, poisson2});
-        },
-        nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
+    const auto of_bodies = [&m](const char* name, auto call) {
+        m.def(
+            name,
+            [call](double modulus, double poisson, double modulus2, double poisson2) {
+                return call(Material<double>{modulus, poisson}, Material<double>{modulus2, poisson2});
+            },
+            nb::arg("youngs_modulus"), nb::arg("poisson_ratio"), nb::arg("youngs_modulus2"), nb::arg("poisson_ratio2"));
+    };
+    of_bodies("effective_modulus", [](const auto& one, const auto& other) { return effective_modulus(one, other); });
+    of_bodies("tangential_ratio", [](const auto& one, const auto& other) { return tangential_ratio(one, other); });
     m.def(
         "spot_conductance",
         [](const In& stiffness, double conductivity, double modulus) {

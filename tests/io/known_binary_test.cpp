@@ -11,7 +11,6 @@ using namespace std::string_literals;
 namespace {
 
 const test::RefusalOf refusal{test::FileReader()};
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -28,11 +27,12 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
                                                          {"\\*File list\0"s, "Nanoscope"}};
     for (const auto& [bytes, name] : files) {
         INFO(name);
-        CHECK(has(refusal(bytes), name));
-        CHECK(has(refusal(bytes), "is binary: "));
-        CHECK(has(refusal(bytes), "not read; must be text (a profile, a matrix, or x, y, z), .sdf, .x3p, .npy, "));
+        CHECK(test::contains(refusal(bytes), name));
+        CHECK(test::contains(refusal(bytes), "is binary: "));
+        CHECK(test::contains(refusal(bytes),
+                             "not read; must be text (a profile, a matrix, or x, y, z), .sdf, .x3p, .npy, "));
     }
-    CHECK(has(refusal("1 2\n\0"s), "holds NUL bytes"));
+    CHECK(test::contains(refusal("1 2\n\0"s), "holds NUL bytes"));
     const std::string stl = std::string(80, 'x') + test::little(2, 4) + test::little(0.0F) + test::little(0.6F) +
                             test::little(-0.8F) + std::string(88, '\0');
     const std::pair<std::string, const char*> others[] = {{"Binary TrueMap Data File v2.0\r\n\0"s, ".tmd"},
@@ -53,10 +53,10 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
                                                           {"ply\nformat ascii 1.0\n", ".ply"}};
     for (const auto& [bytes, name] : others) {
         INFO(name);
-        CHECK(has(refusal(bytes), name));
-        CHECK(has(refusal(bytes), "which is not read; must be text"));
+        CHECK(test::contains(refusal(bytes), name));
+        CHECK(test::contains(refusal(bytes), "which is not read; must be text"));
         for (const std::string_view of_instrument : {".tmd", ".mi", ".nid", ".frt", ".bcrf", ".stp", ".ibw"})
-            if (name == of_instrument) CHECK(has(refusal(bytes), "python -m fstiff run --surface FILE"));
+            if (name == of_instrument) CHECK(test::contains(refusal(bytes), "python -m fstiff run --surface FILE"));
     }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("Endless input is refused at its first block") {
     std::istream input(&buffer);
     const std::string bytes = io::detail::read_bytes(input, "zero").bytes;
     CHECK(bytes.size() <= 2 * sizeof buffer.block);
-    CHECK(has(refusal(bytes), "is binary"));
+    CHECK(test::contains(refusal(bytes), "is binary"));
     CHECK(buffer.calls <= 2);
 }
 

@@ -2,39 +2,32 @@
 #include <fstiff/io/surface_file.hpp>
 #include <fstiff/io/write.hpp>
 
-#include "support/samples.hpp"
 #include "support/skip.hpp"
 #include "support/table.hpp"
+#include "support/texts.hpp"
 
 namespace surface_file_test {
 
 using namespace fstiff;
 using io::SurfaceFormat;
 using io::SurfaceOptions;
+using test::check_texts, test::contains, test::profile, test::read_text, test::refusal, test::refused;
 
 namespace {
 
-constexpr test::FileReader read{};
-const test::RefusalOf refusal(read);
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+const test::RefusalOf refusal_of(read_text);
+const std::string points = test::rows("{x} {z}\n"), grid = test::triples("{i} {j} {z}\n");
 
 /// Rows of \p columns numbers that form no grid.
-std::string columns_of_numbers(int columns, int rows = 20) {
+std::string columns_of_numbers(int columns) {
     std::string text;
-    for (int k = 0; k < columns * rows; ++k)
+    for (int k = 0; k < columns * 20; ++k)
         text += std::to_string(std::sin(k * k)) + (k % columns + 1 < columns ? " " : "\n");
     return text;
 }
-std::string profile_rows() {
-    std::string text;
-    for (int i = 0; i < 20; ++i) text += std::to_string(i / 2.0) + " " + std::to_string(std::sin(i)) + "\n";
-    return text;
-}
-std::string grid() {
-    std::string text;
-    for (int i = 0; i < 40; ++i)
-        text += std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + std::to_string(std::sin(i)) + "\n";
-    return text;
+/// A matrix of \p columns of such numbers.
+test::Decision matrix(std::size_t columns, std::vector<std::string> warnings = {}) {
+    return {.warnings = std::move(warnings), .size = 20 * columns, .rows = 20, .format = SurfaceFormat::matrix};
 }
 
 }  // namespace
@@ -98,48 +91,58 @@ TEST_CASE("Measured files equal the values of independent readers number for num
 }
 
 TEST_CASE("Text without units is refused with the way to give them") {
-    CHECK(has(refusal(grid()), "states no units"));
-    CHECK(has(refusal(profile_rows()), "states no unit"));
+    check_texts({{"triples", grid, refused("states no units")}, {"profile", points, refused("states no unit")}});
     const std::filesystem::path folder = FSTIFF_SURFACES;
     if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " + folder.string());
     for (const char* name : {"nanovea_test1.txt", "opdx-3.txt", "xy-4.txt"})
-        CHECK(has(test::refusal([&] { (void)io::read_surface(folder / name); }), "must be given"));
+        CHECK(contains(refusal([&] { (void)io::read_surface(folder / name); }), "must be given"));
 }
 
-TEST_CASE("The form of a text follows from its columns") {
-    CHECK(read(profile_rows(), {.units = "um"}).record.format == SurfaceFormat::profile);
-    CHECK(read(columns_of_numbers(1), {.units = "um", .spacing = 1e-6}).is_profile());
-    CHECK(read(grid(), {.units = "um"}).record.format == SurfaceFormat::triples);
-    CHECK(read(columns_of_numbers(7), {.units = "um", .dx = 1e-6, .dy = 1e-6}).record.format == SurfaceFormat::matrix);
-    CHECK(read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + columns_of_numbers(3)).record.format == SurfaceFormat::matrix);
-    CHECK(read(columns_of_numbers(3), {.units = "um", .width = 1e-6, .height = 1e-6}).record.format ==
-          SurfaceFormat::matrix);
-    CHECK(read(columns_of_numbers(4), {.units = "um", .spacing = 1e-6, .column = 3}).record.format ==
-          SurfaceFormat::profile);
-    CHECK(read(grid(), {.units = "um"}).record.sentences().front() ==
-          "format: triples, from three columns, the first two of which form a grid");
-}
-
-TEST_CASE("Ambiguous files are refused and the option format decides") {
-    CHECK(
-        has(refusal(columns_of_numbers(3), {.units = "um"}), "format = triples, format = matrix, or format = profile"));
-    const std::string sized = "Width: 3 um\nHeight: 3 um\nunit: nm\n";
-    CHECK(has(refusal(sized + grid()), "format = triples or format = matrix"));
-    CHECK(has(refusal(sized + profile_rows()), "format = profile or format = matrix"));
-    CHECK(has(refusal("x [um] a [nm] b [nm] c [nm]\n" + columns_of_numbers(4)), "format = profile with column"));
-    CHECK(read(sized + grid(), {.format = SurfaceFormat::matrix}).map().columns() == 3);
-    CHECK(read(sized + grid(), {.format = SurfaceFormat::triples, .units = "um"}).map().columns() == 8);
-    CHECK(read(sized + profile_rows(), {.format = SurfaceFormat::matrix}).map().columns() == 2);
-    CHECK(has(refusal(columns_of_numbers(5), {.format = SurfaceFormat::triples, .units = "um"}), "must have 3"));
-}
-
-TEST_CASE("Options that the form has no use for are refused") {
-    CHECK(has(refusal(grid(), {.units = "um", .dx = 1e-6}), "format = triples or format = matrix"));
-    CHECK(has(refusal(grid(), {.format = SurfaceFormat::triples, .units = "um", .dx = 1e-6}), "no use for dx"));
-    CHECK(has(refusal(profile_rows(), {.format = SurfaceFormat::profile, .units = "um", .width = 1}),
-              "no use for width"));
-    CHECK(has(refusal("aISO-1.0\n", {.units = "um"}), "no use for units"));
-    CHECK(has(refusal(columns_of_numbers(5), {.format = SurfaceFormat::matrix, .spacing = 1.0}), "no use for spacing"));
+TEST_CASE("The form of a text follows from its columns, and the option format decides where they do not") {
+    const std::string sized = "Width: 5 um\nHeight: 4 um\nunit: um\n", three = columns_of_numbers(3);
+    const SurfaceOptions as_matrix{.format = SurfaceFormat::matrix};
+    const SurfaceOptions as_triples{.format = SurfaceFormat::triples, .units = "um"};
+    const test::Decision map = test::map(1e-6, 1e-6, 1e-6);
+    check_texts({
+        {"two columns", points, profile(0.5e-6, 1e-6, {"format: profile"}), {.units = "um"}},
+        {"one column", columns_of_numbers(1), profile(1e-6, 0), {.units = "um", .spacing = 1e-6}},
+        {"a grid",
+         grid,
+         test::map(1e-6, 1e-6, 1e-6, {"\nformat: triples, from three columns, the first two of which form a grid\n"}),
+         {.units = "um"}},
+        {"seven", columns_of_numbers(7), matrix(7), {.units = "um", .dx = 1e-6, .dy = 1e-6}},
+        {"three and a size", sized + three, matrix(3)},
+        {"three and a size given", three, matrix(3), {.units = "um", .width = 1e-6, .height = 1e-6}},
+        {"four, one of them chosen",
+         columns_of_numbers(4),
+         profile(1e-6, 0, {"format: profile"}),
+         {.units = "um", .spacing = 1e-6, .column = 3}},
+        {"three, no grid", three, refused("format = triples, format = matrix, or format = profile"), {.units = "um"}},
+        {"a grid and a size", sized + grid, refused("format = triples or format = matrix")},
+        {"two and a size", sized + points, refused("format = profile or format = matrix")},
+        {"four titles", "x [um] a [nm] b [nm] c [nm]\n" + columns_of_numbers(4),
+         refused("format = profile with column")},
+        {"a grid as matrix", sized + grid, matrix(3), as_matrix},
+        {"a grid as triples", sized + grid, map, as_triples},
+        {"two as matrix", sized + points, matrix(2), as_matrix},
+        {"five as triples", columns_of_numbers(5), refused("must have 3"), as_triples},
+        {"a grid and a step", grid, refused("format = triples or format = matrix"), {.units = "um", .dx = 1e-6}},
+        {"triples and a step",
+         grid,
+         refused("no use for dx"),
+         {.format = SurfaceFormat::triples, .units = "um", .dx = 1e-6}},
+        {"profile and width",
+         points,
+         refused("no use for width"),
+         {.format = SurfaceFormat::profile, .units = "um", .width = 1}},
+        {"binary and units", "aISO-1.0\n", refused("no use for units"), {.units = "um"}},
+        {"matrix and spacing",
+         columns_of_numbers(5),
+         refused("no use for spacing"),
+         {.format = SurfaceFormat::matrix, .spacing = 1.0}},
+        {"warnings of a profile", "x [um] z [nm]\n" + points, profile(0.5e-3, 1e-3, {}, {"", ""}), {.units = "mm"}},
+        {"warnings of a matrix", sized + three, matrix(3, {""}), {.width = 9e-6}},
+    });
 }
 
 TEST_CASE("Binary files are known by their first bytes") {
@@ -149,23 +152,22 @@ TEST_CASE("Binary files are known by their first bytes") {
     map.dy = 2e-6;
     std::ostringstream sdf, line;
     io::write_sdf(sdf, map);
-    const io::Surface found = read(sdf.str());
+    const io::Surface found = read_text(sdf.str());
     CHECK(found.record.format == SurfaceFormat::sdf);
     CHECK((found.map().heights == map.heights).all());
 
     Profile<double> profile{std::vector<double>(20, 1.0), 1e-6};
     profile.heights[3] = 2;
     io::write_sdf(line, profile);
-    REQUIRE(read(line.str()).is_profile());
-    CHECK(read(line.str()).profile().heights == profile.heights);
+    REQUIRE(read_text(line.str()).is_profile());
+    CHECK(read_text(line.str()).profile().heights == profile.heights);
 
-    CHECK(has(refusal("PK\3\4rest"), io::reads_x3p() ? "is not a zip archive" : "built without"));
+    CHECK(contains(refusal_of("PK\3\4rest"), io::reads_x3p() ? "is not a zip archive" : "built without"));
     std::istringstream input(sdf.str());
     CHECK((io::read_surface(input, "file").map().heights == map.heights).all());
-    CHECK(has(refusal(std::string("\0\1\2", 3)), "is binary"));
-    CHECK(has(refusal(""), "is empty"));
-    CHECK(
-        has(test::refusal([] { (void)io::read_surface(std::filesystem::path("no such file")); }), "cannot be opened"));
+    CHECK(contains(refusal_of(std::string("\0\1\2", 3)), "is binary"));
+    CHECK(contains(refusal_of(""), "is empty"));
+    CHECK(contains(refusal([] { (void)io::read_surface(std::filesystem::path("no such file")); }), "cannot be opened"));
     CHECK_THROWS_AS(io::read_surface(std::filesystem::path("no such file")), fstiff::file_error);
     CHECK_THROWS_AS(io::read_surface(std::filesystem::path(".")), fstiff::file_error);
 }
@@ -176,18 +178,10 @@ TEST_CASE("A second file after the first one is reported") {
         std::string(4, '\0') + std::string(12, '\0') + std::string("\0\0\x80\x3F", 4);
     const std::string padded =
         gsf.substr(0, gsf.find('\0')) + std::string(4 - gsf.find('\0') % 4, '\0') + gsf.substr(gsf.find('\0') + 4);
-    CHECK(read(padded).record.warnings.empty());
-    const auto warnings = read(padded + padded).record.warnings;
+    CHECK(read_text(padded).record.warnings.empty());
+    const auto warnings = read_text(padded + padded).record.warnings;
     REQUIRE(warnings.size() == 1);
-    CHECK(has(warnings[0], "a second one of the form gsf from byte " + std::to_string(padded.size())));
-}
-
-TEST_CASE("Warnings of the text readers are reported with the surface") {
-    CHECK(read("x [um] z [nm]\n" + profile_rows(), {.units = "mm"}).record.warnings.size() == 2);
-    CHECK(
-        read("Width: 3 um\nHeight: 3 um\nunit: nm\n" + columns_of_numbers(3), {.width = 9e-6}).record.warnings.size() ==
-        1);
-    CHECK(read(grid(), {.units = "um"}).record.warnings.empty());
+    CHECK(contains(warnings[0], "a second one of the form gsf from byte " + std::to_string(padded.size())));
 }
 
 }  // namespace surface_file_test

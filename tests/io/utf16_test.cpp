@@ -32,7 +32,6 @@ std::string utf8(const std::string& bytes) {
     return io::detail::utf8_of_utf16(bytes, wrong).value_or("none " + std::to_string(wrong));
 }
 const test::RefusalOf refusal{test::FileReader()};
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -51,7 +50,7 @@ TEST_CASE("Halves of characters are refused at their byte") {
     CHECK(utf8("\xFE\xFF\xD8\0\0\x4D"s) == "none 2");
     CHECK(utf8("\xFE\xFF\xDC\0\xD8\0"s) == "none 2");
     CHECK(utf8("\xFE\xFF\xD8\0\xE0\0"s) == "none 2");
-    CHECK(has(refusal("\xFE\xFF\0\x4D\x04"s), "byte 5 begins no whole character"));
+    CHECK(test::contains(refusal("\xFE\xFF\0\x4D\x04"s), "byte 5 begins no whole character"));
 }
 
 TEST_CASE("A text in UTF-16 is read like its twin in UTF-8 and its record reports it") {
@@ -75,8 +74,8 @@ TEST_CASE("A text in UTF-16 cut short is read or refused") {
         const std::string text = refusal(whole.substr(0, size));
         REQUIRE((size % 2 == 0 || !text.empty()));
     }
-    CHECK(has(refusal(whole.substr(2)), "UTF-16 without its byte order mark"));
-    CHECK(has(refusal("\xFF\xFE\0\0\x31\0\0\0"s), "NUL bytes"));  // UTF-32
+    CHECK(test::contains(refusal(whole.substr(2)), "UTF-16 without its byte order mark"));
+    CHECK(test::contains(refusal("\xFF\xFE\0\0\x31\0\0\0"s), "NUL bytes"));  // UTF-32
 }
 
 }  // namespace utf16_test

@@ -11,7 +11,6 @@ namespace {
 
 constexpr test::FileReader read{};
 const test::RefusalOf refusal(read);
-bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// 5 points along x and 4 along y: a line for each x.
 const std::string heights = "1\t2\t3\t4\n5\tBad\t7\t8\n9\t10\t11\t13\n0\t2\t1\t3\n4\t3\t2\t8\n";
@@ -43,20 +42,22 @@ TEST_CASE("Heights in waves and in nm, counts and the pixel are those of the hea
     CHECK(found.map().columns() == 5);
     CHECK(test::ulps(found.map().dx, 2e-6) <= 2);
     CHECK(found.map().heights(3, 4) == 2 * 1e-9);
-    CHECK(has(found.record.sentences().back(), "other arrays: Intensity, not read"));
+    CHECK(test::contains(found.record.sentences().back(), "other arrays: Intensity, not read"));
 }
 
 TEST_CASE("A file of Wyko that cannot be meant is refused, and no option replaces its units") {
-    CHECK(has(refusal(file(), {.units = "um,nm"}), "is Wyko ASCII, which states its units and steps"));
-    CHECK(
-        has(refusal(file("2")), "file, line 1: states the units of the heights as \"2\"; must be 0 (waves) or 1 (nm)"));
-    CHECK(has(refusal(file("0", "1\t2\n")), "states 5 x 4 points, but holds 2; must agree"));
-    CHECK(has(refusal(file("0", "1\tx\n")), "line 11: \"1?x\" is no row of heights"));
+    CHECK(test::contains(refusal(file(), {.units = "um,nm"}), "is Wyko ASCII, which states its units and steps"));
+    CHECK(test::contains(refusal(file("2")),
+                         "file, line 1: states the units of the heights as \"2\"; must be 0 (waves) or 1 (nm)"));
+    CHECK(test::contains(refusal(file("0", "1\t2\n")), "states 5 x 4 points, but holds 2; must agree"));
+    CHECK(test::contains(refusal(file("0", "1\tx\n")), "line 11: \"1?x\" is no row of heights"));
     std::string text = file();
-    CHECK(has(refusal(text.replace(text.find("Pixel_size"), 10, "Pixel_side")), "states no Pixel_size"));
+    CHECK(test::contains(refusal(text.replace(text.find("Pixel_size"), 10, "Pixel_side")), "states no Pixel_size"));
     text = file();
-    CHECK(has(refusal(text.replace(text.find("0.002"), 5, "0.000")), "line 7: Pixel_size \"0.000\"; must be a number"));
-    CHECK(has(refusal(file() + file()), "holds 2 tables of numbers: 1 in nm from line 1, 2 in nm from line 16"));
+    CHECK(test::contains(refusal(text.replace(text.find("0.002"), 5, "0.000")),
+                         "line 7: Pixel_size \"0.000\"; must be a number"));
+    CHECK(test::contains(refusal(file() + file()),
+                         "holds 2 tables of numbers: 1 in nm from line 1, 2 in nm from line 16"));
     CHECK(read(file("1") + file("0"), {.channel = "1"}).map().heights(0, 0) == 1e-9);
 }
 

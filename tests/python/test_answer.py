@@ -200,6 +200,7 @@ def test_processes_and_grades_by_other_words():
         ({"rms_height": 1e-6, "quantities": ["colour"]}, '^quantities = "colour": must be one of force, '),
         ({"rms_height": 1e-6, "quantities": "reflection"}, "must be a list of names"),
         ({"surface": 3}, "^surface: must be what measure"),
+        ({"surface": np.ones((64, 96))}, "^surface: must be what measure.. returned, not of type ndarray"),
         ({}, "rms_height|height"),
         ({"rms_height": 1e-6, "samples": 3}, "^samples = 3"),
         ({"rms_height": 1e-6, "nominal_area": "2 cm"}, '^nominal_area = "2 cm": "cm" is not a unit of area'),

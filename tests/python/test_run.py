@@ -68,13 +68,6 @@ def test_a_ball_is_in_the_answer(command, tmp_path):
     assert "a [µm]" in repr(answer)
 
 
-def test_a_text_gives_what_its_file_gives(root):
-    file = root / "data" / "example_scene.toml"
-    of_file, of_text = fstiff.run(str(file)), fstiff.run(file.read_text())
-    for key in of_file:
-        np.testing.assert_array_equal(of_file[key], of_text[key])
-
-
 SCENE = """
 name = "bodies"
 [surface]
@@ -89,9 +82,7 @@ poisson_ratio = 0.3
 yield_strength = "400 MPa"
 [contact]
 pressures = ["1 MPa", "10 MPa", "60 MPa"]
-laws = ["hertz", "persson", "plastic_peaks", "greenwood_williamson"]
-[persson]
-gamma = 0.5
+laws = ["hertz", "plastic_peaks", "greenwood_williamson"]
 [uncertainty]
 samples = 20
 [output]
@@ -99,16 +90,23 @@ quantities = ["stiffness", "separation", "loading_stiffness", "contacts", "tange
 """
 
 
-def test_empty_cells_are_nan_and_bands_are_there(command, tmp_path):
-    scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
+def test_a_text_gives_what_the_command_prints_of_its_file(command, tmp_path):
     file = tmp_path / "bodies.toml"
-    file.write_text(scene)
-    columns = command.csv("run", file)
+    file.write_text(SCENE)
+    columns, document, curves = command.csv("run", file), command.json("run", file), fstiff.run(SCENE)
     assert "" in columns["theta"]  # Greenwood and Williamson have none
-    curves = fstiff.run(file)
     same(curves, columns)
     assert np.isnan(curves["theta"]).any()
     assert (curves["stiffness_p05_Pa_per_m"] < curves["stiffness_Pa_per_m"]).any()
+    assert curves.warnings == document["warnings"]
+    assert curves.explanation == document["explanation"]
+    assert curves.effective_modulus == document["effective_modulus_Pa"]
+    assert curves.name == "bodies"
+    laws = [title.split(",")[0] for title, _ in curves.parts()]
+    assert laws == list(dict.fromkeys(curves["law"].tolist())) or len(laws) > len(set(curves["law"].tolist()))
+    assert sum(len(part["law"]) for _, part in curves.parts()) == len(curves["law"])
+    text = repr(curves)
+    assert "bodies" in text and "hertz" in text and curves.warnings[0] in text
 
 
 def test_conductances_are_columns_with_their_bands(command, tmp_path):
@@ -122,22 +120,6 @@ def test_conductances_are_columns_with_their_bands(command, tmp_path):
         h = curves[f"thermal_conductance{end}_W_per_m2K"]
         assert h == pytest.approx(53.3 * curves[f"stiffness{end}_Pa_per_m"] / modulus, rel=1e-12)
         assert curves.answer[f"thermal_conductance{end}_W_per_m2K"] == pytest.approx(h, rel=1e-15)
-
-
-def test_what_stands_beside_the_columns(command, tmp_path):
-    scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
-    file = tmp_path / "bodies.toml"
-    file.write_text(scene)
-    document, curves = command.json("run", file), fstiff.run(scene)
-    assert curves.warnings == document["warnings"]
-    assert curves.explanation == document["explanation"]
-    assert curves.effective_modulus == document["effective_modulus_Pa"]
-    assert curves.name == "bodies"
-    laws = [title.split(",")[0] for title, _ in curves.parts()]
-    assert laws == list(dict.fromkeys(curves["law"].tolist())) or len(laws) > len(set(curves["law"].tolist()))
-    assert sum(len(part["law"]) for _, part in curves.parts()) == len(curves["law"])
-    text = repr(curves)
-    assert "bodies" in text and "hertz" in text and curves.warnings[0] in text
 
 
 def test_a_data_frame_is_what_pandas_reads_of_the_csv(command, root):
@@ -158,8 +140,7 @@ def test_a_data_frame_is_what_pandas_reads_of_the_csv(command, root):
 
 def test_a_plot_draws_every_curve_with_its_band():
     pytest.importorskip("matplotlib")
-    scene = SCENE.replace('"persson", ', "").replace("[persson]\ngamma = 0.5\n", "")
-    curves = fstiff.run(scene)
+    curves = fstiff.run(SCENE)
     ax = curves.plot()
     lines = ax.get_lines()
     count = 1 + len(curves.parts())  # the answer is among them
