@@ -242,11 +242,13 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const Resolved
         widen(tilted(flat.tilt, share), 1, share < 0.99);
     }
     if (!flat.settled || rms_of(*flat.settled) < 0.02 * sigma) return causes;
-    // half of what the plane of least squares makes of K, where that is more than the rest
+    // a plane that stands askew lowers K: half of what the plane of least squares takes, and all that it adds, where it
+    // is more than the rest
     const std::vector<double> askew = changes(problem, tilted(*flat.settled, 1), solved, hardness, parallel, progress);
     for (std::size_t i = 0; i < causes.size(); ++i) {
         double& end = askew[i] < 0 ? causes[i].low : causes[i].high;
-        if (std::abs(askew[i]) > std::abs(end)) end = std::copysign(std::hypot(end, askew[i] / 2), askew[i]);
+        const double part = askew[i] < 0 ? askew[i] / 2 : askew[i];
+        if (std::abs(askew[i]) > std::abs(end)) end = std::copysign(std::hypot(end, part), askew[i]);
     }
     return causes;
 }
