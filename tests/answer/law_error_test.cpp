@@ -82,7 +82,7 @@ TEST_CASE(
             return of_shape(question, {skewness, 0.1}, {kurtosis, 0.2});
         };
         const bool trace = known == KnownAs::trace;
-        const double low = trace ? 0.6 : 0.55, high = trace ? 0.6 : 0.33;  // at this p*
+        const double low = trace ? 0.6 : 0.78, high = trace ? 0.6 : 0.45;  // at this p*
         const auto check = [&](double skewness, double kurtosis, double m) {
             CAPTURE(trace, skewness, kurtosis);
             const auto error = of(skewness, kurtosis);
@@ -95,6 +95,15 @@ TEST_CASE(
         check(-0.6, 3.8, 1);
         check(2, 9, 1);
     }
+    // a known alpha narrows that of numbers at the heaviest loads
+    Question heavy{.law = LawKind::hybrid, .known = KnownAs::numbers, .p_star = 0.25};
+    const auto open = of_shape(heavy, {1, 0.1}, {5, 0.2});
+    heavy.alpha_known = true;
+    CHECK(of_shape(heavy, {1, 0.1}, {5, 0.2}).high < 0.9 * open.high);
+    heavy.p_star = 0.1;
+    const auto known = of_shape(heavy, {1, 0.1}, {5, 0.2});
+    heavy.alpha_known = false;
+    CHECK(known.high == of_shape(heavy, {1, 0.1}, {5, 0.2}).high);
     const Question map{.law = LawKind::hybrid, .known = KnownAs::map, .p_star = 0.01};
     CHECK(of_shape(map, {1, 0.1}, {5, 0.2}).low == law_error(map).low);
 }

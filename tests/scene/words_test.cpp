@@ -132,7 +132,7 @@ TEST_CASE("A process by another word is that process, and one without a prior is
         CHECK(input_of(read(scene(height + word + "\"")), "surface.process").written ==
               std::string(word) + " (" + name + ")");
     }
-    for (const char* word : {"reamed", "rolled", "shot peened", "scraped", "superfinished", "SLM"}) {
+    for (const char* word : {"reamed", "rolled", "shot peened", "scraped", "hobbed", "SLM"}) {
         INFO(word);
         const auto made = read(scene("Ra = \"0.8 um\"\nprocess = \"" + std::string(word) + "\""));
         CHECK(input_of(made, "surface.process").written == std::string(word) + " (unknown)");

@@ -79,7 +79,7 @@ inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}
         case LawKind::plastic:
             if (known == KnownAs::map) return {{22, 20, 12, 10, 8, 8, 16}, {14, 12, 10, 11, 12, 11, 20}};
             if (known == KnownAs::trace) return {{30, 30, 26, 22, 20, 20, 20}, {36, 34, 28, 20, 12, 12, 14}};
-            return {{30, 30, 24, 17, 14, 11, 14}, {32, 31, 20, 12, 10, 9, 12}};
+            return {{39, 39, 35, 30, 29, 27, 29}, {41, 40, 32, 28, 27, 27, 28}};
         case LawKind::persson: return {{22, 18, 14, 12, 14, 14, 20}, {80, 70, 55, 35, 20, 15, 16}};
         case LawKind::summits: return {{22, 18, 14, 12, 10, 10, 10}, {20, 14, 14, 16, 30, 60, 100}};
         default: return {{45, 40, 35, 30, 25, 20, 20}, {30, 30, 30, 35, 55, 90, 150}};
