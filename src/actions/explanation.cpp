@@ -31,6 +31,7 @@ std::string_view words_of(Cause cause) {
         case Cause::long_waves: return "longer waves";
         case Cause::hardness: return "hardness";
         case Cause::noise: return "noise";
+        case Cause::form: return "form";
     }
     return "";
 }
@@ -108,10 +109,13 @@ std::string source_of(const detail::ResolvedJoint& joint, const Answer& answer) 
 /// What to measure, for people.
 std::string words_of(const Answer::Next& next, const detail::ResolvedJoint& problem) {
     const bool lay = detail::prior_of(rough_faces(problem).front()->process).has_lay;
-    if (!next.which && !measured_faces(problem).front()->measured->is_profile) return "four times the area";
-    const std::size_t traces = (std::max)(std::size_t(1), measured_faces(problem).front()->measured->parts.size());
-    if (!next.which)
-        return lay || has_lay(problem) ? "a map" : std::to_string(3 * traces) + " more traces at other places";
+    if (next.flatness) return "the flatness of the faces";
+    if (!next.which) {
+        const Surface<double>& measured = *measured_faces(problem).front()->measured;
+        if (!measured.is_profile) return "four times the area";
+        if (lay || has_lay(problem)) return "a map";
+        return std::to_string(3 * (std::max)(std::size_t(1), measured.parts.size())) + " more traces at other places";
+    }
     const auto what = [&]() -> std::string {
         switch (*next.which) {
             case Unknown::height: return "Rq or Sq";
@@ -140,9 +144,26 @@ std::string shown_causes(const Causes<double>& causes, std::size_t most) {
     return text;
 }
 
+namespace {
+
+/// How flat faces of no known size must be to conform at the middle pressure, as the answer takes them; empty where
+/// their form is known or in the band. A crown of the height F over the half width b conforms at p/E = F/(1.2 b).
+std::string form_taken(const Answered& answered) {
+    constexpr double side = 0.05;
+    const auto& scene = *answered.scene;
+    const AnswerPoint* middle = answered.answer.at(scene.points.size() / 2);
+    if (scene.joint.nominal_area || scene.ball || !middle) return "";
+    const double flatness = 1.2 * middle->pressure * (side / 2) / scene.joint.effective_modulus;
+    return "faces not flat within " + document::shown_length(flatness, 2) + " over 50 mm at " +
+           document::with_unit(middle->pressure, "Pa", 3);
+}
+
+}  // namespace
+
 std::string outside_band(const Answered& answered) {
     const auto& scene = *answered.scene;
     std::string text = "Not in the band: wear, dirt, films, misaligned faces";
+    if (const std::string form = form_taken(answered); !form.empty()) text += ", " + form;
     if (!scene.joint.nominal_area)
         text += std::string(answered.answer.of_map_itself         ? ", other parts of the face"
                             : measured_faces(scene.joint).empty() ? ", few contacts"

@@ -3,6 +3,7 @@
 #include "actions/measure.hpp"
 
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/measure/least_squares_form.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 
 #include <span>
@@ -31,7 +32,7 @@ void add_material_ratio(RoughnessTable& table, const std::string& letter, std::s
 }  // namespace
 
 RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const CutOff<double>& lambda_c) {
-    const PreparedProfile<double> filtered = with_drawing_cut_off(levelled, lambda_c);
+    const PreparedProfile<double> filtered = with_drawing_cut_off(detail::by_least_squares(levelled), lambda_c);
     const Profile<double>& profile = filtered.profile;
     const auto parameters = roughness_parameters(profile, filtered.cut_offs.lambda_c);
     const auto length = detail::autocorrelation_length(autocorrelation(profile));
@@ -67,7 +68,10 @@ RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const Cu
     return table;
 }
 
-RoughnessTable roughness_table(const PreparedMap<double>& levelled, const ParallelHook& parallel) {
+RoughnessTable roughness_table(const PreparedMap<double>& measured, const ParallelHook& parallel) {
+    std::optional<PreparedMap<double>> of_squares;
+    if (measured.settled) of_squares = detail::by_least_squares(measured);
+    const PreparedMap<double>& levelled = of_squares ? *of_squares : measured;
     const HeightMap<double>& map = levelled.map;
     const bool has_directions = map.rows() >= 4 && map.columns() >= 4;
     ArealParameters<double> parameters;

@@ -2,6 +2,7 @@
 #include "actions/spectrum.hpp"
 
 #include <fstiff/double/surfaces.hpp>
+#include <fstiff/measure/least_squares_form.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 #include "actions/measure.hpp"
 
@@ -147,10 +148,10 @@ Spectrum spectrum_of(const SpectrumRequest& request, const surface::SurfaceInput
             .cut_offs = levelled.cut_offs};
     };
     if (input.surface.is_profile()) {
-        const PreparedProfile<double> levelled = level_profile(request.surface, input);
+        const PreparedProfile<double> levelled = detail::by_least_squares(level_profile(request.surface, input));
         return result_of(levelled, levelled.profile, true, levelled.rms_gradient);
     }
-    const PreparedMap<double> levelled = level_map(request.surface, input);
+    const PreparedMap<double> levelled = detail::by_least_squares(level_map(request.surface, input));
     return result_of(levelled, levelled.map, false, levelled.areal.rms_gradient);
 }
 

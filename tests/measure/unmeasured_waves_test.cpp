@@ -48,6 +48,7 @@ detail::SurfaceParameterOptions<double> quick() { return {.fit = {.resamples = 0
 TEST_CASE("A contact larger than the piece has the waves of the law of the long end, a smaller one no more") {
     const LongEnd<double> end{.side = 1e-3, .hurst = 0.6, .open = 0.5, .law = true};
     CHECK(test::relative_error(detail::unmeasured_waves(end, 1e-2).growth, 0.3 * std::log(10.0)) < 1e-15);
+    CHECK(test::relative_error(detail::unmeasured_waves(end, 1e-2).expected, 0.75 * 0.3 * std::log(10.0)) < 1e-15);
     CHECK_FALSE(detail::unmeasured_waves(end, 1e-2).at_least);
     CHECK(detail::unmeasured_waves(end, 1e-3).growth == 0);
     CHECK(detail::unmeasured_waves(LongEnd<double>{.side = 1e-3, .hurst = 0.6, .open = 0.5}, 1e-2).at_least);

@@ -256,7 +256,7 @@ def test_numbers_are_those_of_cpp_bit_for_bit(numbers):
         ("map", "default", fstiff.measure(heights, dx=dx, dy=dy)),
     ):
         found = [made["surface"].get(key, {"value": 0, "error": 0}) for key in keys]
-        assert [x for one in found for x in (one["value"], one["error"])] == numbers[f"{name}/{of}"].tolist()
+        assert [x for one in found for x in (one["value"], one["error"])] == numbers[f"{name}/{of}"][: 2 * len(keys)].tolist()
 
 
 UNITS = {"nanovea_test1.txt": "mm,um", "opdx-3.txt": "m,m", "xy-4.txt": "um"}  # which these files do not say

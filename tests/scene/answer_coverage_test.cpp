@@ -95,8 +95,8 @@ TEST_CASE("The band of the answer holds K of boundary elements, for a map, four 
         CHECK(found.median_width() < width);
     };
     check(maps, 1.22, 0.85);
-    check(traces, 6, 0.8);  // short ones, of which docs/accuracy.md has 75 to 100 % of each class
-    check(numbers, 5, 0.85);
+    check(traces, 6, 0.8);     // short ones, of which docs/accuracy.md has 75 to 100 % of each class
+    check(numbers, 10, 0.85);  // without a process or a shape: worn tops are in the band
 }
 
 TEST_CASE("The band of boundary elements of a map holds what the removed plane has changed") {

@@ -37,7 +37,8 @@ struct Scenes {
     std::string file = folder.write("map.txt", text_of(map()));
     [[nodiscard]] fstiff::actions::Answered with(const std::string& keys) const {
         return test::results_of(
-            "[surface]\nfrom = \"map.txt\"\nunits = \"m\"\ndx = \"1 um\"\ndy = \"1 um\"\n" + keys + contact,
+            "[surface]\nfrom = \"map.txt\"\nunits = \"m\"\ndx = \"1 um\"\ndy = \"1 um\"\nmeasured = \"whole\"\n" +
+                keys + contact,
             folder / "scene.toml");
     }
 };

@@ -59,7 +59,7 @@ void check_spread(const std::vector<Found>& all, double radii) {
     for (std::size_t i = 0; i < all[0].stiffness.size(); ++i) {
         const double spread = ratio([i](const Found& one) { return one.stiffness[i]; });
         CAPTURE(i, spread);
-        CHECK(spread < 1.15);
+        CHECK(spread < 1.2);  // at one step of xy-4 the line is that of the upper half, at others of least squares
     }
 }
 

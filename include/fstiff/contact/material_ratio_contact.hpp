@@ -164,11 +164,11 @@ public:
             const T second = missing(log_rho) / 2, ratio = second / first;
             log_rho += std::abs(ratio) < T(0.9) ? second / (1 - ratio) : second;
         }
-        const auto residual = [&](T x) {  // of a curve with a step, over which the rounds leap to and fro
-            const T apart = T(1e-4), value = missing(x);
-            return std::pair(value, (missing(x + apart) - value) / apart);
-        };
-        log_rho = math::newton_bracketed(residual, T(-60), T(60), T(0), scale_tolerance).root;
+        T low = -60, high = 60;  // of a curve with a step, over which the rounds leap to and fro
+        while (high - low > scale_tolerance) {
+            log_rho = (low + high) / 2;
+            (missing(log_rho) > T(0) ? low : high) = log_rho;
+        }
         return factor_ * std::exp(log_rho);
     }
 

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace fstiff { inline namespace v0_1 { namespace math {
@@ -43,76 +44,103 @@ template <Real T>
     return square > 0 ? cube * std::sqrt(static_cast<double>(heights.size()) / square) / square : 0;
 }
 
+/// The heights that exist on a grid of \p rows by \p columns points, and polynomials at their places.
+class UpperHalf {
+public:
+    /// \p there: the heights of \p z that exist, in their order. \p degree is 1 or 2; of one row along it alone.
+    template <Real T>
+    UpperHalf(const T* z, Eigen::Index rows, Eigen::Index columns, int degree, std::vector<double> there)
+        : terms_(rows > 1 ? (degree == 1 ? 3 : 6) : degree + 1), heights_(std::move(there)) {
+        const auto place = [](Eigen::Index i, Eigen::Index count) {
+            return count > 1 ? 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1 : 0.0;
+        };
+        places_.reserve(heights_.size());
+        for (Eigen::Index j = 0; j < rows; ++j)
+            for (Eigen::Index i = 0; i < columns; ++i)
+                if (!std::isnan(z[j * columns + i])) places_.push_back({place(i, columns), place(j, rows)});
+        is_line_ = rows == 1;
+    }
+
+    /// One step: the polynomial through the heights above the median is gone. \return its coefficients; none where the
+    /// points do not determine it, as of a plateau of one height.
+    std::optional<Eigen::VectorXd> settle() {
+        std::vector<double> sorted = heights_;
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms_, terms_);
+        Eigen::VectorXd moments = Eigen::VectorXd::Zero(terms_);
+        double upper = 0;
+        for (std::size_t k = 0; k < heights_.size(); ++k) {
+            if (!(heights_[k] > *middle)) continue;
+            const std::array<double, 6> f = at(k);
+            upper += 1;
+            for (Eigen::Index s = 0; s < terms_; ++s) {
+                moments[s] += f[static_cast<std::size_t>(s)] * heights_[k];
+                for (Eigen::Index t = 0; t <= s; ++t)
+                    normal(s, t) += f[static_cast<std::size_t>(s)] * f[static_cast<std::size_t>(t)];
+            }
+        }
+        for (Eigen::Index s = 0; s < terms_; ++s)
+            for (Eigen::Index t = 0; t < s; ++t) normal(t, s) = normal(s, t);
+        const PivotedQr<double> solver(normal / (std::max)(upper, 1.0), 1e-12);
+        if (solver.rank() < terms_) return std::nullopt;
+        const Eigen::VectorXd c = solver.solve(moments / upper);
+        for (std::size_t k = 0; k < heights_.size(); ++k) {
+            const std::array<double, 6> f = at(k);
+            for (Eigen::Index s = 0; s < terms_; ++s) heights_[k] -= c[s] * f[static_cast<std::size_t>(s)];
+        }
+        return c;
+    }
+
+    [[nodiscard]] std::vector<double>& heights() { return heights_; }
+
+private:
+    [[nodiscard]] std::array<double, 6> at(std::size_t k) const {
+        const auto [u, v] = places_[k];
+        const double bend = 1.5 * u * u - 0.5;
+        if (is_line_) return {1, u, bend};
+        return {1, u, v, bend, u * v, 1.5 * v * v - 0.5};
+    }
+
+    Eigen::Index terms_;
+    bool is_line_ = false;
+    std::vector<double> heights_;
+    std::vector<std::array<double, 2>> places_{};  ///< from -1 to 1
+};
+
 /// Removes from the \p rows times \p columns heights \p z the polynomial of \p degree 1 or 2 through the upper half, if
 /// they are a plateau with valleys; their mean is 0 then. Heights of one row vary along it alone.
 /// \return the tilt of what was removed along the rows and along the columns, last point less first; none: no plateau.
 template <Real T>
 std::optional<std::array<T, 2>> settle_on_upper_half(T* z, Eigen::Index rows, Eigen::Index columns, int degree) {
-    constexpr int most_passes = 12, most_terms = 6;
+    constexpr int most_passes = 12;
     const Eigen::Index size = rows * columns;
-    std::vector<double> there;
     T largest = 0;
     for (Eigen::Index k = 0; k < size; ++k)
         if (!std::isnan(z[k])) largest = (std::max)(largest, std::abs(z[k]));
     const double unit = power_of_two_below(static_cast<double>(largest));  // so that no power leaves the range
+    std::vector<double> there;
     for (Eigen::Index k = 0; k < size; ++k)
         if (!std::isnan(z[k])) there.push_back(static_cast<double>(z[k]) / unit);
     if (there.empty() || !(skewness_of(there) < plateau_skewness)) return std::nullopt;
 
-    const auto place = [](Eigen::Index i, Eigen::Index count) {
-        return count > 1 ? 2 * static_cast<double>(i) / static_cast<double>(count - 1) - 1 : 0.0;
-    };
-    const int terms = rows > 1 ? (degree == 1 ? 3 : 6) : degree + 1;
-    const auto terms_at = [&](double u, double v) -> std::array<double, most_terms> {
-        const double bend = 1.5 * u * u - 0.5;
-        if (rows == 1) return {1, u, bend};
-        return {1, u, v, bend, u * v, 1.5 * v * v - 0.5};
-    };
-    /// Calls \p use(height, terms) for every point that exists.
-    const auto each = [&](const auto& use) {
-        std::size_t next = 0;
-        for (Eigen::Index j = 0; j < rows; ++j)
-            for (Eigen::Index i = 0; i < columns; ++i)
-                if (!std::isnan(z[j * columns + i])) use(there[next++], terms_at(place(i, columns), place(j, rows)));
-    };
+    double square = 0;
+    for (const double height : there) square += height * height;
+    const double rms = std::sqrt(square / static_cast<double>(there.size()));
+    UpperHalf half(z, rows, columns, degree, std::move(there));
     std::array<double, 2> tilt{};
-    std::vector<double> sorted;
     for (int pass = 0; pass < most_passes; ++pass) {
-        sorted = there;
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(terms, terms);
-        Eigen::VectorXd moments = Eigen::VectorXd::Zero(terms);
-        double upper = 0, square = 0;
-        each([&](double height, const auto& f) {
-            square += height * height;
-            if (!(height > *middle)) return;
-            upper += 1;
-            for (Eigen::Index s = 0; s < terms; ++s) {
-                const double of = f[static_cast<std::size_t>(s)];
-                moments[s] += of * height;
-                for (Eigen::Index t = 0; t <= s; ++t) normal(s, t) += of * f[static_cast<std::size_t>(t)];
-            }
-        });
-        for (Eigen::Index s = 0; s < terms; ++s)
-            for (Eigen::Index t = 0; t < s; ++t) normal(t, s) = normal(s, t);
-        const PivotedQr<double> solver(normal / (std::max)(upper, 1.0), 1e-12);
-        if (solver.rank() < terms) break;  // of a plateau of one height none is above the median
-        const Eigen::VectorXd c = solver.solve(moments / upper);
-        each([&](double& height, const auto& f) {
-            for (Eigen::Index s = 0; s < terms; ++s) height -= c[s] * f[static_cast<std::size_t>(s)];
-        });
-        tilt[0] += 2 * c[1], tilt[1] += rows > 1 ? 2 * c[2] : 0;
-        double change = 0;
-        for (Eigen::Index s = 1; s < terms; ++s) change = (std::max)(change, std::abs(c[s]));
-        if (change < 1e-9 * std::sqrt(square / static_cast<double>(there.size()))) break;
+        const std::optional<Eigen::VectorXd> c = half.settle();
+        if (!c) break;
+        tilt[0] += 2 * (*c)[1], tilt[1] += rows > 1 ? 2 * (*c)[2] : 0;
+        if (c->tail(c->size() - 1).cwiseAbs().maxCoeff() < 1e-9 * rms) break;
     }
     double mean = 0;
-    for (const double height : there) mean += height;
-    mean /= static_cast<double>(there.size());
-    std::size_t next = 0;
+    for (const double height : half.heights()) mean += height;
+    mean /= static_cast<double>(half.heights().size());
+    auto next = half.heights().begin();
     for (Eigen::Index k = 0; k < size; ++k)
-        if (!std::isnan(z[k])) z[k] = static_cast<T>((there[next++] - mean) * unit);
+        if (!std::isnan(z[k])) z[k] = static_cast<T>((*next++ - mean) * unit);
     return std::array{static_cast<T>(tilt[0] * unit), static_cast<T>(tilt[1] * unit)};
 }
 

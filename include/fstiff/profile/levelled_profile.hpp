@@ -37,11 +37,11 @@ struct LevelledProfile {
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-/// Removes the \p form of \p profile, a line or a parabola by its upper half where it is a plateau with valleys, then, with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness
-/// of the Gaussian filter. \p resolution [m] is the step in which the heights were printed or counted; 0 where it is
-/// not known. A \p radius [m] above 0 is that of the circle. \throws domain_error as detrend(), remove_circle(),
-/// gaussian_low_pass() and gaussian_roughness(), and for a profile that
-/// is constant, apart from rounding, after the removal of its form.
+/// Removes the \p form of \p profile, a line or a parabola by its upper half where it is a plateau with valleys, then,
+/// with \p lambda_s, its short waves, and then, with a \p cutoff, the waviness of the Gaussian filter. \p resolution
+/// [m] is the step in which the heights were printed or counted; 0 where it is not known. A \p radius [m] above 0 is
+/// that of the circle. \throws domain_error as detrend(), remove_circle(), gaussian_low_pass() and
+/// gaussian_roughness(), and for a profile that is constant, apart from rounding, after the removal of its form.
 template <Real T>
 [[nodiscard]] LevelledProfile<T> level(const Profile<T>& profile, Form form,
                                        std::optional<std::type_identity_t<T>> cutoff = {},

@@ -185,8 +185,8 @@ T remove_round_form(HeightMap<T>& map, MapForm form, std::type_identity_t<T> rad
 }
 
 /// \p map levelled, with the removed form; a plane or a quadratic surface is that of the upper half where least squares
-/// would follow valleys (math/upper_half.hpp). \p resolution [m] is the step in which the heights were printed or counted;
-/// 0 where it is not known; a \p radius [m] above 0 is that of the sphere or cylinder. \throws domain_error as
+/// would follow valleys (math/upper_half.hpp). \p resolution [m] is the step in which the heights were printed or
+/// counted; 0 where it is not known; a \p radius [m] above 0 is that of the sphere or cylinder. \throws domain_error as
 /// remove_form(), remove_round_form(), and for a map that is constant, apart from rounding, after the removal of its
 /// form.
 template <Real T>
