@@ -33,6 +33,7 @@
 #include <fstiff/math/rounding.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/math/tukey.hpp>
+#include <fstiff/math/upper_half.hpp>
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/fractal.hpp>
@@ -83,6 +84,10 @@
 #include <fstiff/topography/white_noise.hpp>
 #include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
+#include <fstiff/halfspace/cosine_compliance.hpp>
+#include <fstiff/halfspace/formed_joint.hpp>
+#include <fstiff/halfspace/joint_form.hpp>
+#include <fstiff/halfspace/measured_form.hpp>
 #include <fstiff/halfspace/point_forces.hpp>
 #include <fstiff/halfspace/solve_half_space.hpp>
 #include <fstiff/halfspace/surface_compliance.hpp>
@@ -112,6 +117,7 @@
 #include <fstiff/contact/contact_curve.hpp>
 #include <fstiff/contact/contact_state.hpp>
 #include <fstiff/contact/crossover.hpp>
+#include <fstiff/contact/earlier_load.hpp>
 #include <fstiff/contact/greenwood_williamson.hpp>
 #include <fstiff/contact/hybrid_contact.hpp>
 #include <fstiff/contact/hybrid_of_band.hpp>
@@ -144,6 +150,7 @@
 #include <fstiff/measure/height_shape.hpp>
 #include <fstiff/measure/height_sums.hpp>
 #include <fstiff/measure/lay.hpp>
+#include <fstiff/measure/least_squares_form.hpp>
 #include <fstiff/measure/long_waves.hpp>
 #include <fstiff/measure/measure.hpp>
 #include <fstiff/measure/measurement.hpp>
