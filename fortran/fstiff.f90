@@ -92,7 +92,7 @@ module fstiff
     enum, bind(c)
         enumerator :: FSTIFF_CAUSE_MEASUREMENT = 0, FSTIFF_CAUSE_CUT_OFFS, FSTIFF_CAUSE_SHAPE, FSTIFF_CAUSE_PRIOR, &
             FSTIFF_CAUSE_LAY, FSTIFF_CAUSE_LAW, FSTIFF_CAUSE_CONTACTS, FSTIFF_CAUSE_LONG_WAVES, FSTIFF_CAUSE_HARDNESS, &
-            FSTIFF_CAUSE_NOISE, FSTIFF_CAUSES
+            FSTIFF_CAUSE_NOISE, FSTIFF_CAUSE_FORM, FSTIFF_CAUSES
     end enum
     ! heights and options are c_loc of a target, or c_null_ptr; so are face and other of a joint.
     type, bind(c) :: fstiff_face_errors

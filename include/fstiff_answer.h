@@ -114,7 +114,8 @@ enum {
     FSTIFF_CAUSE_LONG_WAVES = 7,  /**< waves longer than the measurement */
     FSTIFF_CAUSE_HARDNESS = 8,    /**< of the softer body, where it is not known */
     FSTIFF_CAUSE_NOISE = 9,       /**< of the instrument */
-    FSTIFF_CAUSES = 10
+    FSTIFF_CAUSE_FORM = 10,       /**< faces that are not flat */
+    FSTIFF_CAUSES = 11
 };
 
 /** Destinations of an answer: arrays of `count` of the call, or NULL. */

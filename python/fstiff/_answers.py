@@ -93,6 +93,8 @@ def answer(
     process: str | None = None,
     other: Face | None = None,
     nominal_area: float | None = None,
+    flatness: float | None = None,
+    greatest_pressure: float | None = None,
     quantities: Sequence[str] = (),
     frequency: float | None = None,
     film_stiffness: float | None = None,
@@ -114,6 +116,8 @@ def answer(
     process             what made the face, such as "ground" or "grinding": it decides what is assumed of the numbers that are not given
     other               the other face where it is rough: a dict of the numbers above, or what measure() returned
     nominal_area        [m^2]
+    flatness            height of the gap between both faces in touch, before load, over the nominal area [m]; K is that of the joint then
+    greatest_pressure   nominal, of any earlier load [Pa]
     quantities          words of output.quantities in docs/scene.md, such as "reflection", which needs a frequency [Hz]; those of
                         friction need its coefficient and an amplitude [m]
     film_stiffness      of a fluid film, which longitudinal waves see in addition to K [Pa/m]: bulk modulus over thickness
@@ -154,7 +158,7 @@ def answer(
     if several and surfaces != (len(measured),):
         raise ValueError("surface: a list of them goes with numbers and arrays of its length")
     p = numbers(pressures, "pressures")
-    given = {"nominal_area": nominal_area, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction}
+    given = {"nominal_area": nominal_area, "flatness": flatness, "greatest_pressure": greatest_pressure, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction}
     given |= {"amplitude": amplitude, "seating": seating, "samples": whole(samples, "samples", 0, 100000), "seed": whole(seed, "seed", 0, 2**53)}
     options = {name: number(value, name) for name, value in given.items() if value is not None}
     first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")

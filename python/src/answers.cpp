@@ -94,6 +94,7 @@ std::string_view words_of(AnswerQuantity::Need need) {
         case AnswerQuantity::current: return "electrical_conductivity of both bodies";
         case AnswerQuantity::gap: return "a scene with the section gap";
         case AnswerQuantity::bodies: return "upper and lower";
+        case AnswerQuantity::form: return "flatness";
         case AnswerQuantity::nothing: break;
     }
     return "";
@@ -245,7 +246,7 @@ nb::dict names_of(const Owner& owner) {
             names[text(word)] = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
     });
     if constexpr (std::is_same_v<Owner, JointFace>)
-        each_flag(owner, [&](std::string_view name, bool, std::string_view help) {
+        detail::each_flag(owner, [&](std::string_view name, bool, std::string_view help) {
             names[text(name)] = nb::make_tuple(text(""), text("true: " + std::string(help)), text(name));
         });
     return names;

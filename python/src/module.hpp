@@ -77,7 +77,7 @@ void take_numbers(Owner& owner, const Find& find) {
         for (const std::string_view word : facts.words) take(word);
     });
     if constexpr (std::is_same_v<Owner, JointFace>)
-        each_flag(owner, [&](std::string_view name, bool& value, std::string_view) {
+        detail::each_flag(owner, [&](std::string_view name, bool& value, std::string_view) {
             if (const std::optional<double> number = find(name)) value = *number != 0;
         });
 }

@@ -92,6 +92,8 @@ std::string heading_of(const scene::Scene& scene, const LawInModel& law, const E
             (by == "boundary_elements" ? ", which has no table" : ""));
     say("units     " + units.length + ", " + units.force + ", " + units.pressure + "; pressure [" + units.pressure +
         "] against overclosure [" + units.length + "]");
+    if (scene.given.form || scene.given.flatness)
+        say("faces     conform: their form is that of the mesh, and not in this law");
     say("range     " + law.pressure(table.from) + " to " + law.pressure(table.to) + " " + units.pressure);
     if (request.to == Solver::calculix || request.to == Solver::abaqus) text += comment_of_pressure(law);
     say("zero      faces drawn in contact have overclosure 0: the mean planes of the roughness are then");
@@ -177,7 +179,9 @@ void check(const ExportRequest& request) {
     (void)options_of(request);
 }
 
-document::Document document_of(const scene::Scene& scene, const ExportRequest& request) {
+document::Document document_of(const scene::Scene& joint, const ExportRequest& request) {
+    scene::Scene scene = joint;  // of the faces: a mesh has the form itself
+    scene.joint.form.reset(), scene.joint.flatness = 0;
     const ModelUnits units = units_of(request);
     const PressureTableOptions wanted = options_of(request);
     const auto of_text = [](std::string text) {

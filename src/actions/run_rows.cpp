@@ -134,6 +134,12 @@ Json answer_json(const Answered& answered) {
                     {"law", name_of(point.law)}};
         if (scene.asks("force")) row["force_N"] = scene.forces[point.place];
         if (const auto* approach = point.find("approach")) row["approach_m"] = approach->number.value;
+        if (point.faces) {
+            const auto& [of_low, of_faces, of_high] = *point.faces;
+            row["stiffness_of_faces_Pa_per_m"] = of_faces;
+            row["stiffness_of_faces_p05_Pa_per_m"] = of_low;
+            row["stiffness_of_faces_p95_Pa_per_m"] = std::min(of_high, 1e300);
+        }
         if (point.loading_stiffness) row["loading_stiffness_Pa_per_m"] = *point.loading_stiffness;
         if (area > 0) {
             row["stiffness_N_per_m"] = K * area;

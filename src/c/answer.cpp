@@ -20,7 +20,7 @@ namespace fstiff::c {
 namespace {
 
 static_assert(FSTIFF_CAUSES == detail::cause_count);
-static_assert(FSTIFF_CAUSE_LAY == static_cast<int>(Cause::lay) && FSTIFF_CAUSE_NOISE == static_cast<int>(Cause::noise));
+static_assert(FSTIFF_CAUSE_LAY == static_cast<int>(Cause::lay) && FSTIFF_CAUSE_FORM == static_cast<int>(Cause::form));
 
 /// The numbers that go into the arrays of \p to, where they are not NULL; NaN: none.
 struct Output {

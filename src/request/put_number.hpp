@@ -25,7 +25,7 @@ template <class Owner>
 /// The same with what is true or false of \p face. \return whether there is such a flag.
 [[nodiscard]] inline bool put_flag(JointFace& face, std::string_view name, bool value) {
     bool known = false;
-    each_flag(face, [&](std::string_view each, bool& to, std::string_view) {
+    detail::each_flag(face, [&](std::string_view each, bool& to, std::string_view) {
         if (each == name) to = value, known = true;
     });
     return known;

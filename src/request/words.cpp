@@ -79,7 +79,7 @@ constexpr Row outside[] = {
     {"the model has no layers; give the numbers of the layer as those of the body where it is much thicker than the "
      "spots of contact are wide, else those of what is below it (docs/trust.md)",
      "coating,coatings,coated,layer,layers,plating,paint,oxide,Beschichtung"},
-    {"a bolt enters by its preload: give contact.force, with contact.washer or contact.nominal_area "
+    {"a bolt enters by its preload: give contact.force, with contact.bolt, contact.washer or contact.nominal_area "
      "(docs/finite_elements.md)",
      "bolt,bolts,screw,torque,preload,pretension,clamping,tightening,Schraube,Vorspannkraft,Drehmoment"},
     {"a cylinder is outside of the model, which has flat faces and a ball; export gives the law of the face to a "

@@ -128,6 +128,7 @@ ReadBody read_material(Source& source, const toml::node& node, const std::string
             source.record_default(body.key(name), "of " + std::string(read.name->name), value, facts.unit);
         }
     });
+    if (body.find("thermal_conductivity")) read.body.thermal_range.reset();
     read.gives_heat = body.find("thermal_conductivity"), read.gives_current = body.find("electrical_conductivity");
     return read;
 }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -90,34 +89,9 @@ std::vector<double> read_values(Source& source, const toml::node& node, const st
     return points;
 }
 
-/// contact.nominal_area, or the ring of contact.washer. The area of the built-in scene is not that of another surface.
-void read_area(Source& source, const Section& contact, Scene& scene, bool replaced) {
-    const toml::node* washer = contact.find("washer");
-    if (!(source.builtin && replaced))
-        scene.given.nominal_area = contact.optional_positive("nominal_area", Dimension::area);
-    if (!washer) return;
-    const std::string key = contact.key("washer");
-    (void)contact.one_of(std::array<std::string_view, 2>{"nominal_area", "washer"});
-    if (!washer->is_table())
-        source.refuse(*washer, key, "must be a table such as { inner = \"8.4 mm\", outer = \"16 mm\" }");
-    const Section ring(source, *washer->as_table(), key, {"inner", "outer"});
-    const double inner = source.quantity(ring.at("inner"), ring.key("inner"), Dimension::length);
-    const double outer = ring.positive("outer", Dimension::length);
-    if (!(inner >= 0)) source.refuse(ring.at("inner"), ring.key("inner"), "must be 0 or greater");
-    if (!(outer > inner))
-        source.refuse(ring.at("outer"), ring.key("outer"), "must be greater than " + ring.key("inner"));
-    const double area = std::numbers::pi / 4 * (outer - inner) * (outer + inner);
-    if (!(area > 0) || !std::isfinite(area))
-        source.refuse(*washer, key, "must have an area in the range of double precision");
-    scene.given.nominal_area = area;
-    scene.joint.is_given.force = true;
-    source.record(contact.key("nominal_area"), "of the washer, pi/4 (outer^2 - inner^2)", area,
-                  si_unit(Dimension::area));
-}
-
 /// The ball of contact.ball_radius, and the pressures of its law.
 void read_ball(const Section& contact, double radius, Scene& scene) {
-    for (const char* other : {"nominal_area", "washer", "laws"})
+    for (const char* other : {"nominal_area", "washer", "bolt", "laws"})
         (void)contact.one_of(std::array<std::string_view, 2>{"ball_radius", other});
     scene.ball = {radius, std::move(scene.points)};
     try {
@@ -316,9 +290,9 @@ void resolve(Scene& scene) {
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawKind law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
-    std::vector<std::string_view> keys{"nominal_area", "washer",      "ball_radius", "pressures",
-                                       "pressure",     "separations", "force",       "seating",
-                                       "laws",         "peaks",       "interaction"};
+    std::vector<std::string_view> keys{
+        "nominal_area", "washer", "ball_radius", "pressures", "pressure", "separations",       "force", "seating",
+        "laws",         "peaks",  "interaction", "flatness",  "form",     "greatest_pressure", "bolt"};
     for (const LawKind law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     const std::pair<const char*, void (*)(Source&, const toml::table&, Scene&)> sections[]{
@@ -330,6 +304,7 @@ void read_contact(Source& source, const Section& root, Scene& scene, bool replac
         read(source, root.subtable(name), scene);
     }
     read_area(source, contact, scene, replaced);
+    read_form(source, contact, scene);
     read_interaction(source, contact, scene);
     resolve(scene);
     read_points(source, contact, scene);

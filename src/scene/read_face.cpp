@@ -21,6 +21,12 @@
 
 namespace fstiff::scene {
 
+std::string beside_scene(Source& source, const std::string& file) {
+    return source.files.emplace_back(
+        file == "-" ? file
+                    : document::name_of_path(document::path_of(source.file).parent_path() / document::path_of(file)));
+}
+
 namespace {
 
 using Measured = std::shared_ptr<const surface::MeasuredSurface>;
@@ -47,13 +53,6 @@ Measured measured_from(const surface::MeasureOptions& options, const std::vector
                                ": is the JSON of fstiff measure, measured already; give it without keys of reading");
         return surface::read_measured_document(bytes, document::display_name(file));
     }));
-}
-
-/// \p file, which the scene names relative to itself; "-" is standard input.
-std::string beside_scene(Source& source, const std::string& file) {
-    return source.files.emplace_back(
-        file == "-" ? file
-                    : document::name_of_path(document::path_of(source.file).parent_path() / document::path_of(file)));
 }
 
 /// The files that \p from names, relative to the scene.

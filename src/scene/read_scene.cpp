@@ -27,6 +27,7 @@ std::string_view key_of(AnswerQuantity::Need need) {
         case AnswerQuantity::current: return "material.upper.electrical_conductivity";
         case AnswerQuantity::gap: return "the section gap";
         case AnswerQuantity::bodies: return "material.upper";
+        case AnswerQuantity::form: return "contact.flatness or contact.form";
         case AnswerQuantity::nothing: break;
     }
     return "";

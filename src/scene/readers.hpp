@@ -31,7 +31,7 @@ struct Source : request::Source {
 /// As read_scene, of the parsed \p root; the scene has no sha256. \p builtin: nobody chose its laws.
 [[nodiscard]] Scene read_table(const toml::table& root, const SceneSource& from, bool builtin = false);
 
-/// Takes what was measured, or the file that --surface names, in place of \p surface, of which the process, the wear and
+/// Takes what was measured, or the file that --surface names, in place of \p surface. Its process, its wear and
 /// what part of the face was measured stay.
 void take_surface(Source& source, const SceneSource& from, const toml::table* surface, Scene& scene);
 /// Reads [surface] into \p scene, or its two faces.
@@ -42,9 +42,16 @@ void read_ultrasound(Source& source, const toml::table& table, Scene& scene);
 /// Reads [gap]: what fills it, what crosses it, and the films on the spots.
 void read_gap(Source& source, const toml::table& table, Scene& scene);
 void read_friction(Source& source, const toml::table& table, Scene& scene);
+/// \p file, which the scene names relative to itself; "-" is standard input.
+[[nodiscard]] std::string beside_scene(Source& source, const std::string& file);
 /// Reads [contact] of \p root, with the sections of its laws, and of what crosses it, and resolves the joint.
 /// \p replaced: the surface is not that of the scene.
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);
+/// contact.nominal_area, or the ring of contact.washer or contact.bolt. The area of the built-in scene is not that of
+/// another surface.
+void read_area(Source& source, const Section& contact, Scene& scene, bool replaced);
+/// How flat the faces are, by contact.flatness or contact.form, and what they have carried.
+void read_form(Source& source, const Section& contact, Scene& scene);
 /// Resolves scene.given with the faces of scene.joint, but for the laws and the peaks.
 void resolve(Scene& scene);
 /// The keys of a bearing curve, the first of them that is there, and what they make of \p of.

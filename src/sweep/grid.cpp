@@ -57,8 +57,7 @@ std::optional<Dimension> dimension_of_key(std::string_view key) {
                 const auto dimension = request::dimension_of(facts.unit);
                 if (!dimension) return;
                 all.emplace(section + "." + std::string(name), *dimension);
-                for (const std::string_view word : facts.words)
-                    all.emplace(section + "." + std::string(word), *dimension);
+                for (const auto word : facts.words) all.emplace(section + "." + std::string(word), *dimension);
             });
         };
         for (const char* surface : {"surface", "surface.upper", "surface.lower"}) add(surface, JointFace());

@@ -158,7 +158,7 @@ program fortran_test
         call fstiff_law_free(same)
     end do
     call check(fstiff_name_of_cause(FSTIFF_CAUSE_LONG_WAVES) == "long_waves", "cause by its name")
-    call check(FSTIFF_CAUSE_NOISE == FSTIFF_CAUSES - 1, "number of causes")
+    call check(FSTIFF_CAUSE_FORM == FSTIFF_CAUSES - 1, "number of causes")
     call fstiff_document_free(document)
 
     face%rms_height = -1

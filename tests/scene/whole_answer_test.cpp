@@ -182,7 +182,7 @@ TEST_CASE("A band outside of which nothing is left to give asks for nothing") {
                            "'\n[material]\nupper = \"steel\"\n[contact]\n" + area + "pressures = [\"100 MPa\"]\n");
         return actions::outside_band(actions::compute(read));
     };
-    CHECK(contains(outside(""), "other parts of the face (give contact.nominal_area)"));
+    CHECK(contains(outside(""), "long waves (give contact.nominal_area)"));
     for (const char* area : {"1e-3 mm^2", "4.096e-3 mm^2", "0.1 mm^2"})
         CHECK_FALSE(contains(outside("nominal_area = \"" + std::string(area) + "\"\n"), "give contact.nominal_area"));
 }

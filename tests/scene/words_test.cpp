@@ -68,7 +68,7 @@ TEST_CASE("What the model does not have is one sentence with its page") {
     const std::pair<std::string, std::string> rows[] = {
         {"docs/trust.md", "temperature coating coating_thickness adhesion waviness"},
         {"docs/worn-and-lubricated.md", "lubricant oil_viscosity wear"},
-        {"docs/finite_elements.md", "torque preload bolt cylinder cylinder_radius"},
+        {"docs/finite_elements.md", "torque preload bolts cylinder cylinder_radius"},
         {"docs/friction.md", "damping friction"}};
     for (const auto& [page, words] : rows)
         for (const std::string& key : test::words_of(words)) {

@@ -24,12 +24,17 @@ namespace {
 
 /// What docs/scene.md calls a quantity in \p unit.
 std::string_view kind_of(std::string_view unit) {
-    const std::map<std::string_view, std::string_view> kinds{
-        {"1/m^2", "number per area"},  {"rad", "angle"},       {"Pa", "pressure"}, {"kg/m^3", "density"},
-        {"m/s", "velocity"},           {"W/(m K)", "W/(m K)"}, {"S/m", "S/m"},     {"Hz", "frequency"},
-        {"Pa/m", "stiffness per area"},
-        {"m^2 K/W", "mm^2 K/W"},
-        {"ohm m^2", "ohm um^2"}};
+    const std::map<std::string_view, std::string_view> kinds{{"1/m^2", "number per area"},
+                                                             {"rad", "angle"},
+                                                             {"Pa", "pressure"},
+                                                             {"kg/m^3", "density"},
+                                                             {"m/s", "velocity"},
+                                                             {"W/(m K)", "W/(m K)"},
+                                                             {"S/m", "S/m"},
+                                                             {"Hz", "frequency"},
+                                                             {"Pa/m", "stiffness per area"},
+                                                             {"m^2 K/W", "mm^2 K/W"},
+                                                             {"ohm m^2", "ohm um^2"}};
     return kinds.at(unit);
 }
 

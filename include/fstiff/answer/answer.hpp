@@ -100,10 +100,14 @@ struct AnswerPoint {
     std::optional<double> loading_stiffness{};  ///< -dp/dd of the first loading where peaks yield [Pa/m]
     ContactState<double> state{};               ///< as the law gives it, with numerical errors
     std::vector<Value> values{};                ///< the quantities that were asked for, as far as the law gives them
+    std::optional<WithBand> faces{};            ///< K of the faces [Pa/m] where the joint has a form
+    std::optional<double> loading_of_faces{};   ///< their -dp/dd [Pa/m]
     std::size_t failed = 0;                     ///< surfaces drawn for the band that have no K there
     std::string doubt{};                        ///< why the law may be far off there; empty: nothing speaks against it
 
     [[nodiscard]] bool ok() const { return reason.empty(); }
+    /// K of the faces under the nominal pressure [Pa/m]: what a contact element takes, and a narrow beam of ultrasound.
+    [[nodiscard]] const WithBand& of_faces() const { return faces ? *faces : stiffness; }
     /// The quantity that answer_quantities() calls \p word; null where it is not there.
     [[nodiscard]] const Value* find(std::string_view word) const {
         const auto has_word = [&](const Value& value) { return value.quantity->word == word; };
@@ -159,6 +163,7 @@ struct Answer : AnswerCurve {
     struct Next {
         std::optional<Unknown> which{};   ///< none: four times the length or the area; of a trace across a lay, a map
         double pressure = 0;              ///< the middle one of the pressures [Pa]
+        bool flatness = false;            ///< in place of `which`: how flat the faces are
         double factor = 0, narrowed = 0;  ///< high over low of its band, and once it finds what is assumed
     };
     std::optional<Next> next{};  ///< the measurement that narrows the band most, where AnswerOptions::next asks for it
@@ -168,10 +173,10 @@ struct Answer : AnswerCurve {
     double hardness = 0;                   ///< of the softer body [Pa]; infinite: it never yields
     double yield_strength = 0;             ///< of the softer body, or its hardness over 2.8 [Pa]
 
-    /// The law of the answer, or of an end of its band, between the pressures of its points: ln K by cubics over ln p
-    /// that rise where the points do, and -dp/dd = K. Separations count from the greatest pressure of \p range:
-    /// approach() and touch() of the law are those of the joint. Of peaks that yield it is the law of unloading.
-    /// \p quantile is 0.05, 0.5 (K itself) or 0.95.
+    /// The law of the answer, or of an end of its band, whatever the form of the joint, between the pressures of its
+    /// points: ln K by cubics over ln p that rise where the points do, and -dp/dd = K. Separations count from the
+    /// greatest pressure of \p range: approach() and touch() of the law are those of the joint. Of peaks that yield it
+    /// is the law of unloading. \p quantile is 0.05, 0.5 (K itself) or 0.95.
     /// The caller includes fstiff/tabulated/contact_law.hpp.
     /// \throws domain_error for another quantile, a range beyond the points, and a K that does not rise.
     [[nodiscard]] ContactLaw<double> law_at(double quantile, const LawRange<double>& range) const;

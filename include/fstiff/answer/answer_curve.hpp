@@ -33,6 +33,15 @@ struct Solved {
     std::optional<double> separation_at_seating{};
 };
 
+/// The side [m] of what was measured: of a profile its length, of a map the root of its area; 0 for numbers.
+[[nodiscard]] double measured_side(const ResolvedJoint& problem);
+/// What the form of \p problem, which is not known, may lower K at a state with \p K [Pa/m] under \p pressure [Pa].
+/// None without a nominal area, and where a face was measured over all of it.
+[[nodiscard]] CauseSpread<double> spread_of_form(const ResolvedJoint& problem, double K, double pressure);
+/// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
+/// of the grid, are known to their own size alone.
+void make_ends_rise(const std::vector<ContactState<double>>& states, std::vector<SampledBand<double>>& bands);
+
 /// Makes \p curve, of law_of_answer() with its states and its band, the answer: at points where boundary elements of
 /// the map know more they take its place, and the band takes in every cause. \p contact is that of its law, null of a
 /// map. \p progress is called while boundary elements are solved.

@@ -12,6 +12,7 @@
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/unknowns.hpp>
 #include <fstiff/asperity/plastic_laws.hpp>
+#include <fstiff/contact/earlier_load.hpp>
 #include <fstiff/math/random.hpp>
 #include <fstiff/math/statistics.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
@@ -34,7 +35,6 @@ FSTIFF_INLINE double noise_of(const Face& face, Edges edges) {
     return is_map(face) && face.filtered && face.map->spectra ? face.map->noise(edges) : 0;
 }
 
-/// The side [m] of what was measured: of a profile its length, of a map the root of its area; 0 for numbers.
 FSTIFF_INLINE double measured_side(const ResolvedJoint& problem) {
     double least = 0;
     for (const Face* face : measured_faces(problem)) {
@@ -174,14 +174,41 @@ struct LightLoad {
     std::optional<double> log_high{}, log_stiffness{};  ///< ln of end over K, and of K; -infinity: there is no K
 };
 
-/// The state \p i of \p curve with the waves that the measurement has not, which raise sigma and the gap by 1/\p factor and
-/// leave the gradient: at one pressure K is less by the factor.
+/// The state \p i of \p curve with the waves that the measurement has not, which raise sigma and the gap by 1/\p
+/// factor and leave the gradient: at one pressure K is less by the factor.
 FSTIFF_INLINE void lower_by_long_waves(double factor, std::size_t i, LawCurve& curve) {
     if (factor == 1) return;
     ContactState<double>& state = curve.states[i];
     for (Estimate<double>* K : {&state.stiffness, &state.loading_stiffness}) K->value *= factor, K->error *= factor;
     state.separation.value /= factor;
     if (i < curve.separation_at_seating.size()) curve.separation_at_seating[i] /= factor;
+}
+
+/// K of the law of \p curve at the greatest pressure that \p problem has carried [Pa/m]; 0: the peaks do not yield, or
+/// it has none. \p contact is that of the law, null of a map.
+FSTIFF_INLINE double stiffness_at_greatest(const ResolvedJoint& problem, const LawCurve& curve, bool flows,
+                                           const AnyContact* contact) {
+    if (!problem.greatest_pressure || !flows) return 0;
+    std::vector<MadeContact> made;
+    if (!contact) made = contacts_of(problem, {curve.law}), contact = made.front().contact.get();
+    const double p = (std::min)(*problem.greatest_pressure, 0.95 * hardness_of(problem));
+    const auto point = contact->at_pressures(std::span(&p, 1), Quantity::stiffness).front();
+    return point.ok() ? point.state.stiffness.value : 0;
+}
+
+/// The state \p i of \p curve after the greatest pressure, if that is greater: what flowed then stays. K there is
+/// \p greatest [Pa/m]. \p reason has the error of the law of earlier loads too.
+FSTIFF_INLINE void take_earlier_load(const ResolvedJoint& problem, double greatest, std::size_t i, LawCurve& curve,
+                                     AnswerReason& reason) {
+    ContactState<double>& state = curve.states[i];
+    const double K = state.stiffness.value;
+    if (!(greatest > K && state.pressure.value < *problem.greatest_pressure)) return;
+    const double after = greatest * stiffness_after_load(K / greatest, relative_hardness(problem).value_or(0));
+    state.stiffness = {after, state.stiffness.error * after / K};
+    state.loading_stiffness.value = after;
+    constexpr double error = 0.2;  // 5 and 95 % of ln K about that law
+    CauseSpread<double>& law = reason.causes[static_cast<std::size_t>(Cause::law)];
+    law = {-std::hypot(law.low, error), std::hypot(law.high, error)};
 }
 
 /// The upper ends that the error of a law gives under light loads: it grows towards them, of bounded heights faster
@@ -240,8 +267,6 @@ private:
     std::vector<LightLoad> loads_{};
 };
 
-/// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
-/// of the grid, are known to their own size alone.
 FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& states,
                                   std::vector<SampledBand<double>>& bands) {
     std::vector<std::size_t> order(states.size());
@@ -254,32 +279,77 @@ FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& state
         bands[order[k - 2]].low = (std::min)(bands[order[k - 2]].low, bands[order[k - 1]].low);
 }
 
-FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
-                                      const AnyContact* contact, const ProgressHook& progress) {
-    AnswerFacts facts;
-    facts.relative_hardness = relative_hardness(problem);
-    facts.flows = flows(problem, *curve.law);
-    facts.of_map_itself = is_map_itself(problem);
+/// The bands of an answer, with the form that is not known and without it.
+class AnswerBands {
+public:
+    /// Adds the band of the state \p i of \p curve by the causes of \p reason, to which that of the form comes.
+    void add(const ResolvedJoint& problem, std::size_t i, const LawCurve& curve, AnswerReason& reason) {
+        const double K = curve.states[i].stiffness.value;
+        const auto band = [&] {
+            const auto total = detail::band_of(reason.causes);
+            constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
+            return SampledBand<double>{K * std::exp(total.low), K, (std::min)(most, K * std::exp(total.high))};
+        };
+        of_faces_.push_back(band());
+        const CauseSpread<double> form = spread_of_form(problem, K, curve.states[i].pressure.value);
+        if (auto& waves = reason.causes[static_cast<std::size_t>(Cause::long_waves)]; form.low < waves.low) {
+            waves.low = 0;  // waves as long as the face are its form
+            reason.causes[static_cast<std::size_t>(Cause::form)] = form;
+            formed_ = true;
+        }
+        bands_.push_back(band());
+    }
+    /// Gives them to \p curve.
+    void give(LawCurve& curve) {
+        if (formed_) {
+            make_ends_rise(curve.states, of_faces_);
+            curve.band = std::move(of_faces_);
+            curve.faces = std::make_shared<const LawCurve>(curve);
+        }
+        make_ends_rise(curve.states, bands_);
+        curve.band = std::move(bands_);
+    }
+
+private:
+    std::vector<SampledBand<double>> bands_{}, of_faces_{};
+    bool formed_ = false;
+};
+
+/// p* and the contacts of every state of \p curve.
+FSTIFF_INLINE std::vector<AnswerReason> reasons_of(const ResolvedJoint& problem, const LawCurve& curve) {
+    std::vector<AnswerReason> reasons;
     const double area = counted_area(problem);
-    const double length = std::numbers::sqrt2 * problem.face.parameters.long_end.side;  // of a trace
-    const UnmeasuredWaves<double> longer = problem.face.unmeasured(problem.nominal_area    ? std::sqrt(area)
-                                                                   : is_of_traces(problem) ? length
-                                                                                           : 0);
-    if (!request.at_separations) facts.long_waves = std::exp(-longer.expected);
-    facts.waves_at_least = longer.at_least && problem.nominal_area.has_value();
-    const bool solves = request.solves_map && is_map(problem.face);
-    const std::vector<Solved> of_place = solves
-                                             ? problem.face.map->solve(problem, request, facts.flows, curve, progress)
-                                             : std::vector<Solved>(request.points.size());
     for (const auto& state : curve.states) {
-        AnswerReason& reason = facts.reasons.emplace_back();
+        AnswerReason& reason = reasons.emplace_back();
         if (curve.rms_gradient)
             reason.p_star =
                 detail::dimensionless_pressure(state.pressure.value, problem.effective_modulus, *curve.rms_gradient);
         if (const double contacts = area * state.contact_density.value; contacts > 0) reason.contacts = contacts;
     }
+    return reasons;
+}
+
+FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Request& request, LawCurve& curve,
+                                      const AnyContact* contact, const ProgressHook& progress) {
+    AnswerFacts facts{.reasons = reasons_of(problem, curve)};
+    facts.relative_hardness = relative_hardness(problem);
+    facts.flows = flows(problem, *curve.law);
+    facts.of_map_itself = is_map_itself(problem);
+    const double length = std::numbers::sqrt2 * problem.face.parameters.long_end.side;  // of a trace
+    const UnmeasuredWaves<double> longer =
+        problem.face.unmeasured(problem.nominal_area    ? std::sqrt(*problem.nominal_area)
+                                : is_of_traces(problem) ? length
+                                                        : 0);
+    const double expected = request.at_separations ? 0 : longer.expected;
+    facts.long_waves = std::exp(-expected);
+    facts.waves_at_least = longer.at_least && problem.nominal_area.has_value();
+    const bool solves = request.solves_map && is_map(problem.face);
+    const std::vector<Solved> of_place = solves
+                                             ? problem.face.map->solve(problem, request, facts.flows, curve, progress)
+                                             : std::vector<Solved>(request.points.size());
+    const double at_greatest = stiffness_at_greatest(problem, curve, facts.flows, contact);
     LightEnds light(problem, curve, contact);
-    std::vector<SampledBand<double>> bands;
+    AnswerBands bands;
     for (std::size_t i = 0; i < curve.states.size(); ++i) {
         AnswerReason& reason = facts.reasons[i];
         const auto put = [&](Cause cause, const CauseSpread<double>& spread) {
@@ -291,7 +361,6 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
         put(Cause::lay, of_lay(problem));
         if (reason.contacts && !facts.of_map_itself)
             put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
-        const double expected = -std::log(facts.long_waves);
         put(Cause::long_waves, {-((std::max)(longer.growth - expected, expected)), expected});
         CauseSpread<double> of_law = law_error(problem, curve.law->which, reason);
         const double log_K = std::log(curve.states[i].stiffness.value);
@@ -302,18 +371,16 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
         if (solved.weight > 0) hand_over(problem, solved, i, curve, reason);
         if (facts.of_map_itself && problem.face.map->maps.size() > 1)
             put(Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
+        take_earlier_load(problem, at_greatest, i, curve, reason);
         lower_by_long_waves(facts.long_waves, i, curve);
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more
         loading = facts.flows ? (std::min)(loading, K) : K;
         if (facts.flows && loading > 0) reason.loading_stiffness = loading;
-        const auto total = detail::band_of(reason.causes);
-        constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
-        bands.push_back({K * std::exp(total.low), K, (std::min)(most, K * std::exp(total.high))});
+        bands.add(problem, i, curve, reason);
         curve.by.push_back(solved.weight >= 0.5 ? &laws::boundary_elements.row() : curve.law);
     }
-    make_ends_rise(curve.states, bands);
-    curve.band = std::move(bands);
+    bands.give(curve);
     return facts;
 }
 

@@ -14,6 +14,7 @@
 #include <fstiff/answer/concerns_inline.hpp>
 #include <fstiff/answer/curves_inline.hpp>
 #include <fstiff/answer/face_inline.hpp>
+#include <fstiff/answer/formed_answer_inline.hpp>
 #include <fstiff/answer/lacks_inline.hpp>
 #include <fstiff/answer/law_rows_inline.hpp>
 #include <fstiff/answer/quick_hybrids_inline.hpp>
@@ -73,10 +74,11 @@ FSTIFF_INLINE void require_options(std::span<const double> points, const AnswerO
 /// The quantities of \p options, in the order of the table.
 FSTIFF_INLINE std::vector<const AnswerQuantity*> quantities_of(const ResolvedJoint& joint,
                                                                const AnswerOptions& options) {
-    constexpr std::array<std::string_view, 8> members{"nominal_area",       "waves",
+    constexpr std::array<std::string_view, 9> members{"nominal_area",       "waves",
                                                       "waves.shear",        "friction.amplitude",
                                                       "conduction.thermal", "conduction.electrical",
-                                                      "conduction.gap",     "elastic constants of both bodies"};
+                                                      "conduction.gap",     "elastic constants of both bodies",
+                                                      "flatness or form"};
     for (const std::string& word : options.quantities)
         if (const auto need = lack_of(quantity_called(word, "quantities"), joint); need != AnswerQuantity::nothing)
             throw domain_error(Refusal{
@@ -173,6 +175,11 @@ FSTIFF_INLINE std::optional<AnswerPoint::Value> value_of(const AnswerQuantity& q
         return quantity.value({joint, curve, i, state, end}).value;
     };
     auto [low, median, high, failed] = curve.band[i];
+    if (quantity.of_heat && low > 0) {  // the conductivity is as good as K
+        const double K = curve.states[i].stiffness.value;
+        low = K * std::exp(-std::hypot(std::log(K / low), joint.heat.low));
+        high = K * std::exp(std::hypot(std::log(high / K), joint.heat.high));
+    }
     if (quantity.with_stiffness == AnswerQuantity::WithStiffness::falls) std::swap(low, high);
     of.number.low = bound(low, BandEnd::low), of.number.high = bound(high, BandEnd::high);
     return of;
@@ -199,6 +206,11 @@ FSTIFF_INLINE void take_state(const ResolvedJoint& joint, const LawCurve& curve,
     point.state = curve.states[i];
     point.pressure = point.state.pressure.value;
     point.stiffness = curve.band.empty() ? WithBand{K, K, K} : WithBand{curve.band[i].low, K, curve.band[i].high};
+    if (curve.faces) {
+        const SampledBand<double>& band = curve.faces->band[i];
+        point.faces = WithBand{band.low, curve.faces->states[i].stiffness.value, band.high};
+        point.loading_of_faces = curve.faces->states[i].loading_stiffness.value;
+    }
     point.law = curve.law_at(i).which;
     if (!curve.band.empty()) point.failed = curve.band[i].failed;
     if (curve.rms_gradient)
@@ -206,7 +218,8 @@ FSTIFF_INLINE void take_state(const ResolvedJoint& joint, const LawCurve& curve,
     if (i < curve.means.size()) point.doubt = outside_range(curve.law->range, curve.means[i]);
     point.values.reserve(quantities.size());
     for (const AnswerQuantity* quantity : quantities)
-        if (auto value = value_of(*quantity, joint, curve, i)) point.values.push_back(std::move(*value));
+        if (auto value = value_of(*quantity, joint, quantity->of_faces && curve.faces ? *curve.faces : curve, i))
+            point.values.push_back(std::move(*value));
 }
 
 /// \p curve at the points of \p request, which it has a state or a reason for.
@@ -314,7 +327,7 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<
         detail::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
     std::vector<std::pair<double, double>> logs;  // of p and K
     for (const AnswerPoint& point : points) {
-        const auto& [low, value, high] = point.stiffness;
+        const auto& [low, value, high] = point.of_faces();
         if (point.ok())
             logs.push_back({std::log(point.pressure), std::log(quantile < 0.5 ? low : quantile > 0.5 ? high : value)});
     }

@@ -40,7 +40,8 @@ struct AnswerQuantity {
         heat = 16,        ///< Conduction::thermal
         current = 32,     ///< Conduction::electrical
         gap = 64,         ///< Conduction::gap
-        bodies = 128      ///< elastic constants of both
+        bodies = 128,     ///< elastic constants of both
+        form = 256        ///< Joint::flatness or Joint::form
     };
 
     std::string_view word;              ///< that asks for it
@@ -54,6 +55,8 @@ struct AnswerQuantity {
     /// Whether `fstiff run` has it unasked; null: never.
     bool (*is_usual)(const detail::ResolvedJoint&) = nullptr;
     std::string_view title{};  ///< of its picture; empty: it has none
+    bool of_heat = false;      ///< its band has that of the thermal conductivity
+    bool of_faces = false;     ///< of the faces under the nominal pressure, whatever the form of the joint
     std::string_view with{};   ///< the word of another that brings it where the joint has what it needs; empty: none
 
     /// The name in JSON and CSV, such as "stiffness_Pa_per_m"; of an end of the band \p part is "_p05" or "_p95", of

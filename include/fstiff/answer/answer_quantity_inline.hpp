@@ -109,6 +109,7 @@ FSTIFF_INLINE bool conducts_current(const ResolvedJoint& joint) {
 }
 FSTIFF_INLINE bool always(const ResolvedJoint&) { return true; }
 FSTIFF_INLINE bool of_force(const ResolvedJoint& joint) { return joint.is_given.force; }
+FSTIFF_INLINE bool has_form(const ResolvedJoint& joint) { return joint.flatness || joint.form; }
 
 using enum AnswerQuantity::WithStiffness;
 using Q = AnswerQuantity;
@@ -132,6 +133,18 @@ inline constexpr std::array table{
     Q{.word = "stiffness", .place = 1, .name = "stiffness", .suffix = "_Pa_per_m", .unit = "Pa/m",
       .symbol = "K/A0", .of_law = Quantity::stiffness, .with_stiffness = rises,
       .value = [](At at) { return at.state.stiffness; }, .is_usual = always},
+    Q{.word = "stiffness_of_faces", .place = 17, .name = "stiffness_of_faces", .suffix = "_Pa_per_m", .unit = "Pa/m",
+      .symbol = "K/A0 of faces", .of_law = Quantity::stiffness, .with_stiffness = rises, .needs = Q::form,
+      .value = [](At at) { return at.state.stiffness; }, .is_usual = has_form, .of_faces = true},
+    Q{.word = "touching_share", .place = 18, .name = "touching_share", .symbol = "touching", .needs = Q::form,
+      .value = [](At at) { return Number{at.curve.form.empty() ? 1 : at.curve.form[at.i].touching_share, 0}; },
+      .is_usual = has_form},
+    Q{.word = "local_pressure", .place = 19, .name = "greatest_local_pressure", .suffix = "_Pa", .unit = "Pa",
+      .symbol = "greatest p", .needs = Q::form,
+      .value = [](At at) {
+          return Number{at.curve.form.empty() ? at.state.pressure.value
+                                              : at.curve.form[at.i].greatest_local_pressure, 0}; },
+      .is_usual = has_form},
     Q{.word = "joint_stiffness", .place = 9, .name = "stiffness", .suffix = "_N_per_m", .unit = "N/m",
       .symbol = "K", .of_law = Quantity::stiffness, .with_stiffness = rises, .needs = Q::area,
       .value = [](At at) { return of_area(at, at.state.stiffness); }, .is_usual = of_force},
@@ -151,16 +164,16 @@ inline constexpr std::array table{
       .value = [](At at) {
           return reflected(at, at.joint.ultrasound->longitudinal, 1, at.joint.ultrasound->film_stiffness); },
       .is_usual = [](OfJoint joint) { return joint.ultrasound.has_value(); },
-      .title = "Reflection of longitudinal waves"},
+      .title = "Reflection of longitudinal waves", .of_faces = true},
     Q{.word = "shear_reflection", .place = 7, .name = "shear_reflection", .symbol = "shear |R|",
       .of_law = Quantity::stiffness, .with_stiffness = falls, .needs = Q::waves | Q::shear_waves | Q::bodies,
       .value = [](At at) { return reflected(at, *at.joint.ultrasound->shear, ratio_of(at.joint), 0); },
       .is_usual = [](OfJoint joint) { return joint.ultrasound && joint.ultrasound->shear; },
-      .title = "Reflection of shear waves"},
+      .title = "Reflection of shear waves", .of_faces = true},
     Q{.word = "thermal_conductance", .place = 11, .name = "thermal_conductance", .suffix = "_W_per_m2K",
       .unit = "W/(m^2 K)", .symbol = "h", .of_law = Quantity::stiffness, .with_stiffness = rises,
       .needs = Q::heat, .value = [](At at) { return of_spots(at, true); }, .is_usual = conducts_heat,
-      .title = "Thermal conductance of the spots"},
+      .title = "Thermal conductance of the spots", .of_heat = true},
     Q{.word = "thermal_conductance_gap", .name = "thermal_conductance_gap", .suffix = "_W_per_m2K",
       .unit = "W/(m^2 K)", .symbol = "h of the gap", .of_law = Quantity::separation, .needs = Q::gap,
       .value = [](At at) { return Number{of_gap(at), 0}; }, .title = "Thermal conductance of the gap", .with = "thermal_conductance"},
@@ -172,7 +185,7 @@ inline constexpr std::array table{
       .symbol = "thermal resistance", .of_law = Quantity::stiffness, .with_stiffness = falls,
       .needs = Q::area | Q::heat,
       .value = [](At at) { return resistance(at, of_spots(at, true), of_gap(at)); },
-      .is_usual = [](OfJoint joint) { return joint.nominal_area && conducts_heat(joint); }},
+      .is_usual = [](OfJoint joint) { return joint.nominal_area && conducts_heat(joint); }, .of_heat = true},
     Q{.word = "resistance", .place = 15, .name = "resistance", .suffix = "_ohm", .unit = "ohm",
       .symbol = "resistance", .of_law = Quantity::stiffness, .with_stiffness = falls,
       .needs = Q::area | Q::current, .value = [](At at) { return resistance(at, of_spots(at, false), 0); },
@@ -217,12 +230,13 @@ FSTIFF_INLINE AnswerQuantity::Need lack_of(const AnswerQuantity& quantity, const
             case AnswerQuantity::heat: return joint.conduction.thermal.has_value();
             case AnswerQuantity::current: return joint.conduction.electrical.has_value();
             case AnswerQuantity::gap: return joint.conduction.gap.has_value();
+            case AnswerQuantity::form: return quantities::has_form(joint);
             case AnswerQuantity::bodies: return joint.upper.youngs_modulus > 0;
             case AnswerQuantity::nothing: break;
         }
         return true;
     };
-    for (unsigned bit = 1; bit <= AnswerQuantity::bodies; bit *= 2)
+    for (unsigned bit = 1; bit <= AnswerQuantity::form; bit *= 2)
         if (const auto need = static_cast<AnswerQuantity::Need>(bit); (quantity.needs & bit) != 0 && !has(need))
             return need;
     return AnswerQuantity::nothing;

@@ -7,8 +7,8 @@
 ///     ends         of the ball whose law has K, and as much -dp/dd, at one end of its band at all pressures
 ///
 /// Of two ends and the middle the greatest and the least are the band of the law: a stiffer law spreads the load less.
-/// Beside it, by squares, the place of the ball, as scatter_of_contacts() of the contacts under it times the share that
-/// roughness has of its compliance, and 5 % of the model.
+/// The place of the ball, as scatter_of_contacts() of the contacts under it times the share that
+/// roughness has of its compliance, and 5 % of the model add to it by squares.
 ///
 /// Reference   tabulated/ball_contact.hpp
 /// Units       SI
@@ -72,12 +72,12 @@ namespace detail {
     double least = 0, greatest = 0, closest = 0;
     for (const AnswerPoint& point : answer.points) {
         if (!point.ok()) continue;
-        const auto& [low, K, high] = point.stiffness;
+        const auto& [low, K, high] = point.of_faces();
         const double x = std::log(point.pressure), factor = end == 0  ? 1
                                                             : end < 0 ? low / K
                                                                       : (std::min)(high / K, most);
         stiffnesses.emplace_back(x, std::log(factor * K));
-        slopes.emplace_back(x, std::log(factor * point.loading_stiffness.value_or(K)));
+        slopes.emplace_back(x, std::log(factor * point.loading_of_faces.value_or(point.loading_stiffness.value_or(K))));
         if (least == 0) least = point.pressure;
         greatest = point.pressure, closest = point.state.separation.value;
     }
@@ -91,8 +91,8 @@ namespace detail {
         answer.rms_height, {least, greatest, OutsideRange::extrapolate}, answer.flows ? 0.0 : 1.0);
 }
 
-/// Contacts per force [1/N] of \p answer where the pressure is \p pressure [Pa], or the greatest at which peaks are spots;
-/// 0: not known.
+/// Contacts per force [1/N] of \p answer where the pressure is \p pressure [Pa], or the greatest at which peaks are
+/// spots; 0: not known.
 [[nodiscard]] inline double contacts_per_force(const Answer& answer, double pressure) {
     constexpr double most = 0.03;  // p/(E g)
     if (answer.rms_gradient) pressure = (std::min)(pressure, most * answer.effective_modulus * *answer.rms_gradient);

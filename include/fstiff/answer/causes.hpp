@@ -38,12 +38,13 @@ enum class Cause {
     contacts,     ///< few contacts on the nominal area
     long_waves,   ///< waves longer than the measured piece
     hardness,     ///< of the softer body, which is not known
-    noise         ///< of the instrument that measured a map
+    noise,        ///< of the instrument that measured a map
+    form          ///< faces that are not flat
 };
 
 namespace detail {
 
-inline constexpr std::size_t cause_count = 10;
+inline constexpr std::size_t cause_count = 11;
 
 }  // namespace detail
 
@@ -54,7 +55,8 @@ using Causes = std::array<CauseSpread<T>, detail::cause_count>;
 /// The word of \p cause, as JSON has it.
 [[nodiscard]] constexpr std::string_view name_of(Cause cause) {
     constexpr std::array<std::string_view, detail::cause_count> names{
-        "measurement", "cut_offs", "shape", "prior", "lay", "law", "contacts", "long_waves", "hardness", "noise"};
+        "measurement", "cut_offs",   "shape",    "prior", "lay", "law",
+        "contacts",    "long_waves", "hardness", "noise", "form"};
     return names[static_cast<std::size_t>(cause)];
 }
 

@@ -191,7 +191,7 @@ FSTIFF_INLINE std::optional<Answer::Next> next_measurement(const ResolvedJoint& 
     std::optional<Answer::Next> most;
     double least = 0.95 * factor;  // nothing that narrows the factor by less
     const auto consider = [&](std::optional<Unknown> unknown, double narrowed) {
-        if (narrowed < least) most = Answer::Next{unknown, point.pressure, factor, least = narrowed};
+        if (narrowed < least) most = Answer::Next{unknown, point.pressure, false, factor, least = narrowed};
     };
     for (const auto unknown : {Unknown::height, Unknown::gradient, Unknown::alpha, Unknown::hurst, Unknown::skewness})
         if (!map && problem.face.is_open(unknown) && !(measured && detail::is_of_shape(unknown)))
@@ -210,6 +210,8 @@ FSTIFF_INLINE std::optional<Answer::Next> next_measurement(const ResolvedJoint& 
     }
     if (problem.hardness_range && depends_on_hardness(problem, {&find_law(answer.law)}))
         consider(Unknown::hardness, factor_without(Cause::hardness));
+    if (const double flat = factor_without(Cause::form); flat < least && !problem.form)
+        most = Answer::Next{std::nullopt, point.pressure, true, factor, least = flat};
     const bool map_is_better = causes[static_cast<std::size_t>(Cause::lay)].high > 0;
     if (measured && !answer.of_map_itself)
         consider(std::nullopt, map_is_better ? factor_without(Cause::lay) : factor_of_larger(problem, causes));

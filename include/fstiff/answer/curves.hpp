@@ -37,6 +37,12 @@ struct MissedPoint {
 [[nodiscard]] std::string reason_of(const ResolvedJoint& problem, const MissedPoint& missed, double pressure,
                                     std::string (*text)(double pressure));
 
+/// What the form of a joint makes of one state.
+struct FormOfState {
+    double touching_share = 1;           ///< of the nominal area
+    double greatest_local_pressure = 0;  ///< [Pa]
+};
+
 /// One law on one joint distribution of peaks, at every point that the law reaches.
 struct LawCurve {
     const Law* law = nullptr;
@@ -52,6 +58,8 @@ struct LawCurve {
     std::vector<LoadMeans<double>> means{};   ///< of a plastic law, one a state
     std::vector<SampledBand<double>> band{};  ///< of the stiffness, one a state; empty: it has none
     std::vector<BandParts<double>> band_parts{};  ///< of the band, where the surface has neighbours
+    std::vector<FormOfState> form{};              ///< of each state, where the joint has a form
+    std::shared_ptr<const LawCurve> faces{};      ///< the same curve of the faces, under the nominal pressures
     std::vector<const Law*> by{};                 ///< of an answer, the law of each state; empty: `law` gave all
 
     [[nodiscard]] const Law& law_at(std::size_t state) const { return by.empty() ? *law : *by[state]; }
@@ -95,6 +103,14 @@ struct MadeContact {
 /// The contacts of \p laws; \p problem must live as long.
 [[nodiscard]] std::vector<MadeContact> contacts_of(const ResolvedJoint& problem, const std::vector<const Law*>& laws,
                                                    const ProgressHook& progress = {});
+
+/// The answer of \p request, which names no law, into \p result.
+void add_answer(ResolvedJoint problem, Request request, const ProgressHook& progress,
+                const std::vector<MadeContact>* contacts, Curves& result);
+/// Gives the answer of \p result, which is that of the faces, the form of \p problem. \throws domain_error at
+/// separations.
+void add_form(const ResolvedJoint& problem, const Request& request, const std::vector<MadeContact>* contacts,
+              Curves& result);
 
 /// Where the approach of \p curve, which has its states, begins, or why \p contact has no separation there.
 void add_seating(const Request& request, const AnyContact& contact, LawCurve& curve);

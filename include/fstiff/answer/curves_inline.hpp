@@ -164,7 +164,6 @@ FSTIFF_INLINE void add_curves(const ResolvedJoint& problem, const Request& reque
         failed = (std::max)(failed, add_bands(problem, request, curves, progress));
 }
 
-/// The answer of \p request, which names no law.
 FSTIFF_INLINE void add_answer(ResolvedJoint problem, Request request, const ProgressHook& progress,
                               const std::vector<MadeContact>* contacts, Curves& result) {
     request.laws = {&law_of_answer(problem, request.at_separations)};
@@ -176,6 +175,7 @@ FSTIFF_INLINE void add_answer(ResolvedJoint problem, Request request, const Prog
     result.answer = std::move(curves.front());
     const AnyContact* const contact = is_map(problem.face) ? nullptr : contacts->front().contact.get();
     result.facts = make_answer(problem, request, *result.answer, contact, progress);
+    if (problem.form) add_form(problem, request, contacts, result);
 }
 
 /// The answer next to laws that are named. A band costs more than a curve: of many points it is of those that are

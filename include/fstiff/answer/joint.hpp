@@ -23,6 +23,7 @@
 #include <fstiff/wave/spring_interface.hpp>
 
 #include <memory>
+#include <numbers>
 #include <optional>
 
 namespace fstiff { inline namespace v0_1 {
@@ -32,6 +33,7 @@ struct Face;
 }
 template <Real T>
 struct Surface;
+struct JointForm;
 
 /// A measured surface as a joint takes it: what measured_face() makes.
 class MeasuredFace {
@@ -92,6 +94,9 @@ struct Body {
     std::optional<double> density{}, velocity{}, shear_velocity{};
     /// [W/(m K)], above 0, and [S/m], 0 of an insulator; none: not known.
     std::optional<double> thermal_conductivity{}, electrical_conductivity{};
+    /// Of the thermal conductivity where it is the middle one: of a family of alloys by its name. It is in the band of
+    /// heat.
+    std::optional<PriorRange> thermal_range{};
 };
 
 /// The body of \p material: its constants, and the range of its hardness.
@@ -105,7 +110,8 @@ struct Body {
             .velocity = known(velocity),
             .shear_velocity = known(shear_velocity),
             .thermal_conductivity = thermal,  // of an insulator too, whose electrical conductivity is 0
-            .electrical_conductivity = thermal ? std::optional(material.electrical_conductivity) : std::nullopt};
+            .electrical_conductivity = thermal ? std::optional(material.electrical_conductivity) : std::nullopt,
+            .thermal_range = material.thermal_range.low > 0 ? std::optional(material.thermal_range) : std::nullopt};
 }
 
 /// The waves that meet the contact: longitudinal ones see K, shear waves the tangential stiffness.
@@ -137,6 +143,13 @@ struct Friction {
     std::optional<double> amplitude{};  ///< of the tangential displacement, mean to peak [m], above 0
 };
 
+/// A ring of two diameters [m], 0 <= inner < outer.
+struct Ring {
+    double inner = 0, outer = 0;
+
+    [[nodiscard]] double area() const { return std::numbers::pi / 4 * (outer - inner) * (outer + inner); }
+};
+
 /// Two bodies, and the rough faces between them.
 struct Joint {
     JointFace face{};                  ///< of one body; the other is smooth, unless
@@ -145,7 +158,14 @@ struct Joint {
     /// [Pa], above 0, in place of the elastic constants: `upper` has the rest of the softer body then.
     std::optional<double> effective_modulus{};
     std::optional<double> nominal_area{};  ///< [m^2], above 0
-    int shifts = 4;                        ///< of the map of the other face over that of the first, where both are maps
+    std::optional<Ring> ring{};            ///< that the nominal area is; none: a square
+    /// [m], 0 or more: height of the gap between both faces in touch, before load, over the nominal area; of two faces
+    /// with the tolerances t1 and t2 at most t1 + t2. None: the faces are taken to conform, which has a part in the
+    /// band.
+    std::optional<double> flatness{};
+    std::shared_ptr<const JointForm> form{};    ///< the gap itself, in place of its height
+    std::optional<double> greatest_pressure{};  ///< [Pa], above 0: of any earlier load; none: this is the first one
+    int shifts = 4;                     ///< of the map of the other face over that of the first, where both are maps
     Interaction<double> interaction{};  ///< of the peaks, for laws that are named; those of the answer have their own
     /// Length of the interaction: as it is given, the root of the nominal area, or 1/sqrt(D_p).
     enum class InteractionLength { given, nominal, peak_spacing } interaction_length = InteractionLength::given;

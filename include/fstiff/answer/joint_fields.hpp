@@ -127,12 +127,16 @@ void each_field(Face& face, const Take& take) {
                      .words = detail::fields::kurtoses});
 }
 
+namespace detail {
+
 /// Hands over what is true or false of \p face, a JointFace.
-template <detail::fields::Of<JointFace> Face, class Take>
+template <fields::Of<JointFace> Face, class Take>
 void each_flag(Face& face, const Take& take) {
     take("worn", face.worn, "it has run against another face: its tops are worn");
     take("whole", face.whole, "the measured map is the whole face, not a piece of it");
 }
+
+}  // namespace detail
 
 /// Hands over the numbers of \p body, a Body.
 template <detail::fields::Of<Body> B, class Take>
@@ -213,6 +217,11 @@ void each_field(F& friction, const Take& take) {
 template <detail::fields::Of<Joint> J, class Take>
 void each_field(J& joint, const Take& take) {
     take("nominal_area", joint.nominal_area, NumberFacts{.unit = "m^2", .help = "nominal area"});
+    take("flatness", joint.flatness,
+         NumberFacts{
+             .unit = "m", .help = "height of the gap between both faces in touch, before load", .low_too = true});
+    take("greatest_pressure", joint.greatest_pressure,
+         NumberFacts{.unit = "Pa", .help = "greatest nominal pressure of any earlier load"});
     take("effective_modulus", joint.effective_modulus,
          NumberFacts{.unit = "Pa", .help = "effective modulus, in place of the elastic constants"});
 }

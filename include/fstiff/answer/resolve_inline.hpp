@@ -8,6 +8,7 @@
 #include <fstiff/answer/joint_fields.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/resolve.hpp>
+#include <fstiff/halfspace/joint_form.hpp>
 
 #include <fstiff/answer/unknowns.hpp>
 #include <fstiff/surface/bearing_of_core.hpp>
@@ -219,6 +220,27 @@ FSTIFF_INLINE void require_surroundings(const Joint& joint) {
     if (joint.friction) require_fields(*joint.friction);
 }
 
+/// \throws domain_error where the ring, the flatness and the form do not go together.
+FSTIFF_INLINE void require_form(const Joint& joint) {
+    const auto refuse = [](std::string_view parameter, const char* reason) {
+        throw domain_error(Refusal{.parameter = parameter, .reason = reason});
+    };
+    if (joint.ring && !(joint.ring->inner >= 0 && joint.ring->outer > joint.ring->inner))
+        refuse("ring", "must have 0 <= inner < outer");
+    if (joint.flatness && joint.form) refuse("flatness", "must not be given with form");
+    if ((joint.flatness || joint.form) && !joint.nominal_area)
+        refuse(joint.form ? "form" : "flatness", "needs nominal_area, over which it is measured");
+}
+
+/// The form of \p joint; null where it has none, or none of a height.
+FSTIFF_INLINE std::shared_ptr<const JointForm> form_of(const Joint& joint) {
+    if (joint.form || joint.flatness.value_or(0) == 0) return joint.form;
+    const double side = std::sqrt(*joint.nominal_area);
+    return std::make_shared<const JointForm>(
+        joint.ring ? JointForm::ring(joint.ring->inner / 2, joint.ring->outer / 2, *joint.flatness)
+                   : JointForm::crown(side, side, *joint.flatness));
+}
+
 /// Returns \p call(); its errors name the parameter as a member of \p part.
 template <class Call>
 auto of_part(const std::string& part, const Call& call) {
@@ -250,6 +272,20 @@ FSTIFF_INLINE void take_conductivities(const Body& upper, const Body& lower, Con
     };
     take(upper.thermal_conductivity, lower.thermal_conductivity, conduction.thermal);
     take(upper.electrical_conductivity, lower.electrical_conductivity, conduction.electrical);
+}
+
+/// What the ranges of the conductivities of both bodies make of that of the joint, in logarithms.
+FSTIFF_INLINE CauseSpread<double> spread_of_heat(const Body& upper, const Body& lower) {
+    CauseSpread<double> spread;
+    if (!upper.thermal_conductivity || !lower.thermal_conductivity) return spread;
+    const double a = *upper.thermal_conductivity, b = *lower.thermal_conductivity, both = joint_conductivity(a, b);
+    const auto add = [&](const Body& body, double other) {
+        if (!body.thermal_range || body.thermal_range->middle != *body.thermal_conductivity) return;
+        spread.low = -std::hypot(spread.low, std::log(joint_conductivity(body.thermal_range->low, other) / both));
+        spread.high = std::hypot(spread.high, std::log(joint_conductivity(body.thermal_range->high, other) / both));
+    };
+    add(upper, b), add(lower, a);
+    return spread;
 }
 
 /// The waves of \p joint, with the impedances of the bodies where none are given.
@@ -299,16 +335,20 @@ FSTIFF_INLINE ResolvedJoint with_faces(const Joint& joint, Face face, std::vecto
         joint.interaction_length == Joint::InteractionLength::nominal && !joint.nominal_area)
         throw domain_error(Refusal{.parameter = "interaction_length", .reason = "needs nominal_area"});
     require_surroundings(joint);
+    require_form(joint);
     ResolvedJoint problem;
     problem.face = std::move(face), problem.faces = std::move(faces);
     take_bodies(joint.upper, joint.lower, joint.effective_modulus, problem);
-    problem.nominal_area = joint.nominal_area;
+    problem.nominal_area = joint.nominal_area, problem.ring = joint.ring;
+    problem.flatness = joint.flatness, problem.form = form_of(joint);
+    problem.greatest_pressure = joint.greatest_pressure;
     problem.law_options = options;
     problem.reading = joint.interaction.reading;
     problem.length = joint.interaction_length;
     problem.given_length = joint.interaction.length;
     if (joint.waves) problem.ultrasound = waves_of(joint);
     problem.conduction = joint.conduction;
+    if (!joint.conduction.thermal) problem.heat = spread_of_heat(joint.upper, joint.lower);
     take_conductivities(joint.upper, joint.lower, problem.conduction);
     problem.friction = joint.friction;
     return problem;

@@ -3,6 +3,7 @@
 /// \file
 /// A joint as the laws take it: the rough face that a smooth one meets, the bodies, the distributions of peaks.
 
+#include <fstiff/answer/causes.hpp>
 #include <fstiff/answer/face.hpp>
 #include <fstiff/answer/joint.hpp>
 #include <fstiff/answer/laws.hpp>
@@ -38,6 +39,10 @@ struct ResolvedJoint {
     std::optional<PriorRange> hardness_range;        ///< of that body, where it is not known
     double softer_poisson = 0;           ///< of the body whose hardness, or 2.8 times its yield strength, is smaller
     std::optional<double> nominal_area;  ///< [m^2]
+    std::optional<Ring> ring;
+    std::optional<double> flatness;         ///< [m], that was given
+    std::shared_ptr<const JointForm> form;  ///< of this height, or as it was given; none: the faces conform
+    std::optional<double> greatest_pressure;
     std::vector<Peaks> peaks;
     bool default_peaks =
         false;  ///< `peaks` are those of the paper: none were given, and those of the face are not known
@@ -48,6 +53,7 @@ struct ResolvedJoint {
     std::shared_ptr<const QuickHybrid> similar;  ///< of surfaces for a band
     std::optional<UltrasonicWaves> ultrasound;
     Conduction conduction;
+    CauseSpread<double> heat{};  ///< of ln of the thermal conductivity of both bodies, where it is that of families
     std::optional<Friction> friction;
     /// What was written of it by itself, and did not come with a name: such quantities are usual ones.
     struct Given {

@@ -242,7 +242,7 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const Resolved
         widen(tilted(flat.tilt, share), 1, share < 0.99);
     }
     if (!flat.settled || rms_of(*flat.settled) < 0.02 * sigma) return causes;
-    // a plane that stands askew lowers K: half of what the plane of least squares takes, and all that it adds, where it
+    // a plane that is askew lowers K: half of what the plane of least squares takes, and all that it adds, where it
     // is more than the rest
     const std::vector<double> askew = changes(problem, tilted(*flat.settled, 1), solved, hardness, parallel, progress);
     for (std::size_t i = 0; i < causes.size(); ++i) {

@@ -59,6 +59,7 @@ struct NamedMaterial {
     double electrical_conductivity = 0;  ///< [S/m]; 0: an insulator, or not known
     std::string_view source;             ///< of E and nu, of the velocities, of the conductivities, of the hardness
     std::string_view other_names = "";   ///< of the same material, each between blanks
+    PriorRange thermal_range{};  ///< 5, 50 and 95 % of the conductivity over the alloys of a family; 0: one alloy
 
     /// Speeds of longitudinal and shear waves [m/s], by E, nu and density where none was measured; 0: not known, of
     /// polymers, whose E is another for waves.
@@ -83,19 +84,20 @@ namespace fstiff { inline namespace v0_1 { namespace detail {
 
 // clang-format off
 inline constexpr std::array<NamedMaterial, 44> named_materials{
-    {{"steel", {210e9, 0.3}, 7850, {1.15, 1.91, 6.76}, 1.0785 * GPa, 5960, 3235, 53.3, 6.29e6,
-      "EN 1993-1-1:2005, 3.2.6; [C] mild steel; EN 1993-1-2:2005, 3.4.1.3; AISI 1020, 0.159 uOhm m; [f] annealed to hardened"},
+    {{"steel", {210e9, 0.3}, 7850, {1.15, 1.91, 6.76}, 1.0785 * GPa, 5960, 3235, 45, 5.31e6,
+      "EN 1993-1-1:2005, 3.2.6; [C] mild steel; [f] alloyed to unalloyed, and by it the current of AISI 1020; [f] annealed to hardened", "", {25, 45, 60}},
      {"stainless_steel", {200e9, 0.3}, 7900, {1.47, 1.93, 3.8}, 1.0785 * GPa, 5790, 3100, 15, 1.37e6,
       "EN 10088-1:2014, 1.4301, nu of EN 1993-1-4:2006; [C] steel 347; EN 10088-1:2014, 0.73 uOhm m; [f]"},
      {"cast_iron", {110e9, 0.26}, 7200, {1.45, 2.05, 2.81}, 1.0785 * GPa, 4600, 2600, 48.5, 1.37e6,
       "EN 1561:2011, annex A, EN-GJL-250; [S]; EN 1561:2011, 0.73 uOhm m; [f]", " iron "},
-     {"aluminium", {70.3e9, 0.345}, 2700, {0.233, 1.06, 1.73}, 1.0785 * GPa, 6420, 3040, 237, 37.7e6,
-      "[K]; [C] rolled; [C]; [f] pure to 7075-T6", " aluminum "},
+     {"aluminium", {70.3e9, 0.345}, 2700, {0.233, 1.06, 1.73}, 1.0785 * GPa, 6420, 3040, 165, 26.2e6,
+      "[K]; [C] rolled; [f] cast alloys to pure, and by it the current of [C]; [f] pure to 7075-T6", " aluminum ", {115, 165, 237}},
      {"titanium", {115.7e9, 0.321}, 4500, {1.16, 3.11, 4.1}, 1.0785 * GPa, 6070, 3125, 21.9, 2.38e6,
       "[K]; [C]; [C], 0.42 uOhm m; [f] pure to grade 5"},
-     {"copper", {129.8e9, 0.343}, 8930, {40, 66, 110}, HV, 5010, 2270, 401, 59.6e6, "[K]; [C] rolled; [C]; [s] annealed to hard"},
-     {"brass", {100.6e9, 0.35}, 8530, {55, 110, 165}, HV, 4700, 2110, 121, 16.2e6,
-      "[K] 70 % Cu, 30 % Zn; [C] the same; Olin Brass, data sheet of C26000, and its density; [s] and [r] soft to hard"},
+     {"copper", {129.8e9, 0.343}, 8930, {40, 66, 110}, HV, 5010, 2270, 385, 57.2e6,
+      "[K]; [C] rolled; [f] deoxidised to pure, and by it the current of [C]; [s] annealed to hard", "", {300, 385, 401}},
+     {"brass", {100.6e9, 0.35}, 8530, {55, 110, 165}, HV, 4700, 2110, 120, 16.1e6,
+      "[K] 70 % Cu, 30 % Zn; [C] the same; [f] about C26000 of Olin Brass, and its density; [s] and [r] soft to hard", "", {100, 120, 150}},
      {"nickel", {199.5e9, 0.312}, 8850, {0.638, 0.9, 1.6}, GPa, 5480, 2990, 90.7, 14.4e6,
       "[K] unmagnetized; [D] unmagnetized; [C]; Vickers to Brinell, of tables of elements"},
      {"tungsten", {411e9, 0.28}, 19300, {2.83, 3.7, 4.87}, GPa, 5220, 2890, 174, 18.9e6, "[K]; [C] annealed; [C]; [f]"},

@@ -188,8 +188,7 @@ inline constexpr std::array<ProcessWords, 10> process_words{{
                         "electro discharge machined,electro discharge machining,electrical discharge machined,"
                         "electrical discharge machining,electric discharge machined,erodiert,erodieren,funkenerodiert,"
                         "drahterodiert,senkerodiert"},
-    {Process::superfinished, "superfinish,superfinishing,super finished,super finishing,microfinished,microfinishing,short stroke honed,"
-                        "kurzhubgehont,feingehont,superfiniert"}}};
+    {Process::superfinished, "superfinish,superfinishing,microfinished,microfinishing,short stroke honed,kurzhubgehont,superfiniert"}}};
 // clang-format on
 
 /// The process of \p word, its name or another word for it; none of a word that is in neither list.
