@@ -10,6 +10,7 @@ import csv
 import json
 import math
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -18,7 +19,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools")
 from generated import ROOT, Axis, Picture, between_markers, table, write_or_check
 
 DOCUMENT, PICTURE, DATA = ROOT / "docs/published.md", ROOT / "docs/published.svg", ROOT / "tests/data/published"
+BODIES = {"silicon": 'youngs_modulus = "160 GPa", poisson_ratio = 0.22, hardness = "11 GPa"',  # usual ones; others by name
+          "beryllium_copper": 'youngs_modulus = "128 GPa", poisson_ratio = 0.3, hardness = "3.7 GPa"'}
 MEDIA = {"silicone oil": 'conductivity = "0.14 W/(m K)"'}  # others by name
+SQUARE, FLAT = 625, 'flatness = "0 um"\n'  # 25 mm square where the area is not stated [mm2]
 INCONEL_HAYNES = ('[material]\nupper = { youngs_modulus = "200 GPa", poisson_ratio = 0.29, thermal_conductivity = "11.4 W/(m K)" }\n'
                   'lower = { youngs_modulus = "225 GPa", poisson_ratio = 0.3, thermal_conductivity = "9.4 W/(m K)" }\n')
 
@@ -32,6 +36,18 @@ def number(value):
     """Three digits, without a power of ten."""
     digits = max(0, 2 - math.floor(math.log10(abs(value)))) if value else 0
     return f"{float(f'{value:.3g}'):.{digits}f}"
+
+
+def body(name, conductivity=""):
+    return BODIES.get(name, f'name = "{name}"') + (f', thermal_conductivity = "{conductivity} W/(m K)"' if conductivity else "")
+
+
+def scene_of(upper, lower, process, height, area, pressures, form=""):
+    """Two faces of the same roughness; area [mm2], or "" for K of the faces, pressures [MPa]."""
+    face, listed = f'{{ {height}, process = "{process}" }}', ", ".join(f'"{one:.6g} MPa"' for one in pressures)
+    size = f'nominal_area = "{area} mm^2"\n{form}' if area else ""
+    return (f"material = {{ upper = {{ {upper} }}, lower = {{ {lower} }} }}\n[surface]\nupper = {face}\nlower = {face}\n"
+            f"[contact]\npressures = [{listed}]\n{size}")
 
 
 def span(low, high):
@@ -92,24 +108,46 @@ class Judge:
         return [(row["thermal_conductance_gap_W_per_m2K"], *(row[f"thermal_conductance{end}_W_per_m2K"] for end in ("", "_p05", "_p95")))
                 for row in answer]
 
-    def joint(self, upper, lower, process, height, pressure, gap, hardness=""):
-        body = lambda name: f'{{ name = "{name}"{hardness} }}'
-        face = f'{{ rms_height = "{height:.6g} um", process = "{process}" }}'
-        return self.conductance(f'material = {{ upper = {body(upper)}, lower = {body(lower)} }}\n[surface]\nupper = {face}\nlower = {face}\n'
-                                f'[contact]\npressures = ["{pressure:.6g} MPa"]\n[gap]\n{gap}\n')[0]
+    def joint(self, upper, lower, process, height, pressure, gap, form=""):
+        return self.conductance(scene_of(upper, lower, process, f'rms_height = "{height:.6g} um"', SQUARE, [pressure], form) + f"[gap]\n{gap}\n")[0]
 
-    def joints(self, hardness=""):
+    def joints(self, form=""):
         for row in rows("joints.csv"):
             ends = lambda key, unit: [float(row[f"{key}_{end}_{unit}"]) for end in ("from", "to")]
             height, pressure = (math.sqrt(math.prod(ends(*of))) for of in (("roughness", "um"), ("pressure", "MPa")))
-            of_row, h = (row["upper"], row["lower"], row["process"]), float(row["h_W_per_m2K"])
-            gap, value, low, high = self.joint(*of_row, height, pressure, f'medium = "{row["medium"]}"', hardness)
+            of_row, h = (body(row["upper"]), body(row["lower"]), row["process"]), float(row["h_W_per_m2K"])
+            gap, value, low, high = self.joint(*of_row, height, pressure, f'medium = "{row["medium"]}"', form)
             yield row, height, pressure, h, gap, [(gap + one) / h for one in (value, low, high)]
+
+    def compared(self, row, form=""):
+        """Value and band over what was measured, at each pressure of a row of measured_joints.csv."""
+        pressures, measured = ([float(one) for one in row[key].split()] for key in ("pressures_MPa", "measured"))
+        upper, lower = (body(row[side], row[f"conductivity_{side}_W_per_mK"]) for side in ("upper", "lower"))
+        scene = scene_of(upper, lower, row["process"], f'{row["kind_of_height"]} = "{row["height_um"]} um"', row["area_mm2"], pressures, form)
+        if row["quantity"] == "conductance":
+            found = [[gap + one for one in spots] for gap, *spots in self.conductance(f'{scene}[gap]\nmedium = "{row["medium"]}"\n')]
+        else:
+            found = []
+            for at in self.run(scene)[0]:
+                K = [at[f"stiffness{end}_Pa_per_m"] / 1e12 for end in ("", "_p05", "_p95")]
+                loading = at.get("loading_stiffness_Pa_per_m", at["stiffness_Pa_per_m"]) if row["quantity"] == "loading" else at["stiffness_Pa_per_m"]
+                found.append([one * loading / at["stiffness_Pa_per_m"] for one in K])  # the band is that of K
+        return [(p, [one / m for one in all_three]) for p, all_three, m in zip(pressures, found, measured, strict=True)]
+
+    def by_group(self, form=""):
+        """Group, joint and (p, value and band over the measured) of its points, of every measured joint."""
+        for row in rows("measured_joints.csv"):
+            yield row["group"], row["joint"], self.compared(row, form)
+        handbook = {}
+        for row, _, pressure, *_, ratios in self.joints(form):
+            handbook.setdefault((joint_of(row), row["roughness_from_um"]), []).append((pressure, ratios))
+        for (joint, _), points in handbook.items():
+            yield "handbook", joint, points
 
     def filled(self, medium, height):
         """h of the gap between aluminium faces at 1 atm, and h of the spots with its band."""
         filling = MEDIA.get(medium, f'medium = "{medium}"')
-        return self.joint("aluminium", "aluminium", "unknown", height, 0.101325, filling)
+        return self.joint('name = "aluminium"', 'name = "aluminium"', "unknown", height, 0.101325, filling)
 
     def media(self):
         """h of each medium, and what it has more than air over that of the gap which makes it so for helium."""
@@ -162,18 +200,55 @@ def tables_of_simulation(judge):
                      table(["p*", "gap/σ", "hybrid", "persson", "real area", "hybrid", "persson"], gaps)).rstrip()
 
 
+def inside(points):
+    return sum(low <= 1 <= high for _, (_, low, high) in points)
+
+
+def summary(joints):
+    """Joints, points and points covered; coverage as the mean over joints; medians over points of the width and of the value."""
+    points = [one for joint in joints for one in joint]
+    return [f"{len(joints)}", f"{inside(points)} of {len(points)}", f"{statistics.mean(inside(one) / len(one) for one in joints):.2f}",
+            number(statistics.median(high / low for _, (_, low, high) in points)), f"{statistics.median(ratios[0] for _, ratios in points):.2f}"]
+
+
+def tables_of_groups(judge):
+    found, flat = list(judge.by_group()), list(judge.by_group(FLAT))
+    air, above = "aluminium in air", lambda joint: [one for one in joint if one[0] >= 10]
+    of = lambda joints, group: [points for name, _, points in joints if name == group]
+    lines = []
+    for group in dict.fromkeys(name for name, *_ in found):
+        lines.append([group, *summary(of(found, group)), *summary(of(flat, group))[1:4]])
+    first = next(iter(found))[0]
+    high, high_flat = ([above(one) for one in of(joints, first) if above(one)] for joints in (found, flat))
+    lines.insert(1, ["of these from 10 MPa on", *summary(high), *summary(high_flat)[1:4]])
+    but_air = lambda joints: [points for name, _, points in joints if name != air]
+    lines += [[f"**all but {air}**", *summary(but_air(found)), *summary(but_air(flat))[1:4]],
+              ["**all**", *summary([points for *_, points in found]), *summary([points for *_, points in flat])[1:4]]]
+    to = lambda values: "–".join(dict.fromkeys(f"{float(f'{one:.2g}'):g}" for one in (min(values), max(values))))
+    each = []
+    for row, (_, joint, points), (*_, other) in zip(rows("measured_joints.csv"), found, flat):  # the handbook has its own table
+        what = f'h, {row["medium"]}' if row["medium"] else f'K of {row["quantity"]}'
+        each.append([joint, what, to([p for p, _ in points]), to([ratios[0] for _, ratios in points]),
+                     to([high / low for _, (_, low, high) in points]), f"{inside(points)} of {len(points)}", f"{inside(other)} of {len(other)}",
+                     row["assumed"]])
+    head = ["joints", "covers", "coverage, mean over joints", "width, median", "answer ÷ measured, median"]
+    of_flat = ["flat: covers", "flat: coverage", "flat: width"]
+    return "\n".join(table(["group", *head, *of_flat], lines) +
+                     table(["joint", "measured", "p [MPa]", "answer ÷ measured", "width", "covers", "flat: covers", "assumed"], each)).rstrip()
+
+
 def tables_of_joints(judge):
-    lines, inside = [], 0
+    lines, covered = [], 0
     for row, height, pressure, h, gap, (value, low, high) in judge.joints():
         covers = low <= 1 <= high
-        inside += covers
+        covered += covers
         lines.append([joint_of(row), number(height), number(pressure), number(h), number(gap), f"{value:.2f}", span(low, high),
                       "yes" if covers else "no"])
-    elastic = sum(low <= 1 <= high for *_, (_, low, high) in judge.joints(', hardness = "infinite"'))
+    flat = sum(low <= 1 <= high for *_, (_, low, high) in judge.joints(FLAT))
     head = ["joint", "roughness [µm]", "p [MPa]", "h measured", "h of the gap, computed", "answer ÷ measured", "90 % band", "covers"]
     fluids = [[medium, number(h), number(gap), f"{value:.2f}", span(low, high), "yes" if low <= 1 <= high else "no", told]
               for medium, h, gap, (value, low, high), told in judge.media()]
-    return "\n".join(table(head, lines) + [f"The band covers {inside} of {len(lines)}; of metals that never yield it would cover {elastic}.", ""] +
+    return "\n".join(table(head, lines) + [f"The band covers {covered} of {len(lines)}; of flat faces it would cover {flat}.", ""] +
                      table(["between aluminium faces", *head[3:], "more than air, over that of the gap of helium"], fluids) +
                      [f"The difference between helium and air is that of a gap of {judge.width * 1e6:.0f} µm."]).rstrip()
 
@@ -281,7 +356,7 @@ def main():
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     judge = Judge(options.command)
-    text = between_markers(DOCUMENT, simulation=tables_of_simulation(judge), joints=tables_of_joints(judge), air=tables_in_air(judge),
+    text = between_markers(DOCUMENT, simulation=tables_of_simulation(judge), groups=tables_of_groups(judge), joints=tables_of_joints(judge), air=tables_in_air(judge),
                            rock=tables_of_rock(judge), metals=tables_of_metals(judge))
     return write_or_check({DOCUMENT: text, PICTURE: picture(judge)}, "../bench/make_published.py", options.check, 0.11)
 

@@ -4,8 +4,13 @@
 #include "support/library.hpp"
 #include "support/table.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <sstream>
 
 namespace published_test {
 
@@ -46,6 +51,118 @@ std::vector<Heat> heat(const std::string& text) {
         all.push_back({row["thermal_conductance_gap_W_per_m2K"], row["thermal_conductance_W_per_m2K"],
                        row["thermal_conductance_p05_W_per_m2K"], row["thermal_conductance_p95_W_per_m2K"]});
     return all;
+}
+
+/// A joint as a user has it in hand, and what was measured at its pressures [MPa]: h [W/(m^2 K)] or K [MPa/um].
+struct MeasuredJoint {
+    std::string group, quantity, scene;  ///< the scene without the pressures; `@` for what belongs to an area
+    std::vector<double> pressures{}, measured{};
+};
+
+constexpr const char* of_flat_faces = "flatness = \"0 um\"\n";
+
+std::string scene_of_joint(const std::array<std::string, 2>& bodies, const std::string& process,
+                           const std::string& height, const std::string& area, const std::string& medium) {
+    const std::string face = "{ " + height + ", process = \"" + process + "\" }\n";
+    return "material = { upper = { " + bodies[0] + " }, lower = { " + bodies[1] + " } }\n[surface]\nupper = " + face +
+           "lower = " + face + (medium.empty() ? "" : "[gap]\nmedium = \"" + medium + "\"\n") + "[contact]\n" +
+           (area.empty() ? "" : "nominal_area = \"" + area + " mm^2\"\n@");
+}
+
+std::vector<double> numbers_of(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<double>(stream), {}};
+}
+
+/// Those of bench/make_published.py: measured_joints.csv and the handbook, in 30 joints.
+std::vector<MeasuredJoint> measured_joints() {
+    std::vector<MeasuredJoint> joints;
+    const test::Table table("published/measured_joints.csv");
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const auto text = [&](const std::string& key) { return table.text(i, key); };
+        const auto body = [&](const std::string& side) {
+            const std::string name = text(side), conductivity = text("conductivity_" + side + "_W_per_mK");
+            const std::string constants =
+                name == "silicon" ? "youngs_modulus = \"160 GPa\", poisson_ratio = 0.22, hardness = \"11 GPa\""
+                : name == "beryllium_copper"
+                    ? "youngs_modulus = \"128 GPa\", poisson_ratio = 0.3, hardness = \"3.7 GPa\""
+                    : "name = \"" + name + "\"";
+            return constants +
+                   (conductivity.empty() ? "" : ", thermal_conductivity = \"" + conductivity + " W/(m K)\"");
+        };
+        const std::string height = text("kind_of_height") + " = \"" + text("height_um") + " um\"";
+        joints.push_back(
+            {text("group"), text("quantity"),
+             scene_of_joint({body("upper"), body("lower")}, text("process"), height, text("area_mm2"), text("medium")),
+             numbers_of(text("pressures_MPa")), numbers_of(text("measured"))});
+    }
+    const test::Table handbook("published/joints.csv");
+    for (std::size_t i = 0; i < handbook.size(); ++i) {
+        const auto middle = [&](const std::string& key, const std::string& unit) {
+            return std::sqrt(handbook.input(i, key + "_from_" + unit) * handbook.input(i, key + "_to_" + unit));
+        };
+        const auto name = [&](const char* side) { return "name = \"" + handbook.text(i, side) + "\""; };
+        MeasuredJoint joint{"handbook", "conductance",
+                            scene_of_joint({name("upper"), name("lower")}, handbook.text(i, "process"),
+                                           "rms_height = " + quoted(middle("roughness", "um"), "um"), "625",
+                                           handbook.text(i, "medium"))};
+        if (joints.back().scene != joint.scene) joints.push_back(joint);
+        joints.back().pressures.push_back(middle("pressure", "MPa"));
+        joints.back().measured.push_back(handbook.input(i, "h_W_per_m2K"));
+    }
+    return joints;
+}
+
+/// How much of the joints the band holds: the mean over those outside of air between aluminium, points by group.
+struct Coverage {
+    double joints = 0;
+    std::size_t points = 0;
+    std::map<std::string, int> inside{};
+    std::vector<double> widths{}, widths_of_steel_from_10_MPa{};
+};
+
+Coverage coverage(const std::vector<MeasuredJoint>& joints, const std::string& form) {
+    Coverage all;
+    double count = 0;
+    for (const MeasuredJoint& joint : joints) {
+        std::string scene = joint.scene, list;
+        if (const auto place = scene.find('@'); place != std::string::npos) scene.replace(place, 1, form);
+        for (const double p : joint.pressures) list += (list.empty() ? "" : ", ") + quoted(p, "MPa");
+        scene += "pressures = [" + list + "]\n";
+        int inside = 0;
+        const bool counts = joint.group != "aluminium in air";
+        const auto take = [&](std::size_t i, double low, double high) {
+            inside += low <= joint.measured[i] && joint.measured[i] <= high;
+            if (!counts) return;
+            ++all.points;
+            all.widths.push_back(high / low);
+            if (joint.group == "ground and lapped steel and iron" && joint.pressures[i] >= 10)
+                all.widths_of_steel_from_10_MPa.push_back(high / low);
+        };
+        if (joint.quantity == "conductance") {
+            const std::vector<Heat> found = heat(scene);
+            for (std::size_t i = 0; i < found.size(); ++i)
+                take(i, found[i].gap + found[i].low, found[i].gap + found[i].high);
+        } else {
+            const json answer = run(scene)["answer"];
+            for (std::size_t i = 0; i < answer.size(); ++i) {
+                const double K = answer[i]["stiffness_Pa_per_m"],
+                             part =
+                                 joint.quantity == "loading" ? answer[i].value("loading_stiffness_Pa_per_m", K) / K : 1;
+                take(i, answer[i]["stiffness_p05_Pa_per_m"].get<double>() * part / 1e12,
+                     answer[i]["stiffness_p95_Pa_per_m"].get<double>() * part / 1e12);
+            }
+        }
+        all.inside[joint.group] += inside;
+        if (counts) all.joints += inside / static_cast<double>(joint.measured.size()), ++count;
+    }
+    all.joints /= count;
+    return all;
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 /// dp/d(closure) of a fracture across the row nearest to \p pressure [MPa/mm].
@@ -103,30 +220,90 @@ TEST_CASE("Gaps of hybrid are those of molecular dynamics to 0.03 sigma where ma
     }
 }
 
-TEST_CASE(
-    "The band covers 7 of 18 published conductances of joints of which metals, roughness and finish alone are known") {
-    const test::Table table("published/joints.csv");
-    int inside = 0;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        const auto middle = [&](const std::string& key, const std::string& unit) {
-            return std::sqrt(table.input(i, key + "_from_" + unit) * table.input(i, key + "_to_" + unit));
-        };
-        const std::string face = "{ rms_height = " + quoted(middle("roughness", "um"), "um") + ", process = \"" +
-                                 table.text(i, "process") + "\" }\n";
-        const std::string bodies =
-            "material = { upper = \"" + table.text(i, "upper") + "\", lower = \"" + table.text(i, "lower") + "\" }\n";
-        const Heat found =
-            heat(bodies + "[surface]\nupper = " + face + "lower = " + face + "[contact]\npressures = [" +
-                 quoted(middle("pressure", "MPa"), "MPa") + "]\n[gap]\nmedium = \"" + table.text(i, "medium") + "\"\n")
-                .at(0);
-        const double h = table.input(i, "h_W_per_m2K"), ratio = (found.gap + found.spots) / h;
-        inside += found.gap + found.low <= h && h <= found.gap + found.high;
-        INFO("row " << i << ": " << ratio);
-        CHECK(ratio > 0.5);
-        CHECK(ratio < 21);  // soft metals that flow, were the faces flat: not covered
+TEST_CASE("The band holds 0.9 of measured joints of which metals, process and roughness are known, of flat faces 0.6") {
+    const std::vector<MeasuredJoint> joints = measured_joints();
+    CHECK(joints.size() == 30);
+    const Coverage all = coverage(joints, ""), flat = coverage(joints, of_flat_faces);
+    CHECK(all.points == 61);
+    CHECK(all.joints > 0.90);  // 0.93; the form was set on these joints
+    CHECK(flat.joints < 0.65);
+    CHECK(flat.joints > 0.55);
+    CHECK(median(all.widths) < 56);
+    CHECK(median(flat.widths) < 20);
+    CHECK(all.inside.at("ground and lapped steel and iron") >= 15);  // of 18
+    CHECK(flat.inside.at("ground and lapped steel and iron") >= 15);
+    CHECK(all.inside.at("handbook") == 16);  // of 18
+    CHECK(flat.inside.at("handbook") == 8);
+    CHECK(all.inside.at("aluminium in air") <= 1);  // of 39: the gap has no form
+    CHECK(median(all.widths_of_steel_from_10_MPa) < 23);
+    CHECK(median(flat.widths_of_steel_from_10_MPa) < 15);
+}
+
+TEST_CASE("The measured joints have the resistances and closures of their tables") {
+    const test::Table resistances("published/thermal_resistances.csv"), closures("published/joint_closures.csv");
+    CHECK(resistances.size() == 174);
+    std::size_t found = 0, of_closure = 0;
+    for (const MeasuredJoint& joint : measured_joints())
+        for (std::size_t k = 0; k < joint.measured.size(); ++k) {
+            const auto close = [&](double value) { return test::relative_error(joint.measured[k], value) < 1e-3; };
+            bool here = false;
+            for (std::size_t i = 0; i < resistances.size() && !here && joint.group != "handbook"; ++i)
+                here = resistances.input(i, "pressure_MPa") == joint.pressures[k] &&
+                       close(1e6 / resistances.input(i, "resistance_mm2K_per_W"));
+            found += here;
+            for (std::size_t i = 0; i < closures.size() && !here; ++i) {
+                const auto middle = [&](const std::string& key) {
+                    return (closures.input(i, key + "_from") + closures.input(i, key + "_to")) / 2;
+                };
+                const double unit = closures.text(i, "unit_of_pressure") == "MPa" ? 1 : 0.0980665, m = middle("m"),
+                             p = joint.pressures[k] / unit;
+                if (joint.quantity == "loading" && close(std::pow(p, 1 - m) * unit / (middle("C") * m)))
+                    here = true, ++of_closure;
+            }
+        }
+    CHECK(found == 63);      // of the database: 24 in vacuum and 39 in air
+    CHECK(of_closure == 9);  // two of C45, one of cast iron, at three pressures each
+}
+
+TEST_CASE("plastic and hybrid are within 20 % of the correlations that measured conductances of flat faces follow") {
+    // Cooper, Mikic, Yovanovich: h = 1.25 k m/sigma (p/H)^0.95; Mikic: h = 1.55 k m/sigma (sqrt(2) p/(E m))^0.94.
+    // h = k K/E
+    constexpr double E = 115e9, sigma = 1e-6;
+    const auto stiffness = [&](const char* law, double g, const std::string& hardness,
+                               const std::vector<double>& pressures) {
+        std::string list;
+        for (const double p : pressures) list += (list.empty() ? "" : ", ") + quoted(p, "Pa");
+        std::vector<double> all;
+        for (const json& row :
+             run("[surface]\nrms_height = \"1 um\"\nrms_gradient = " + std::to_string(g) +
+                 "\nskewness = 0\nkurtosis = 3\n[material.upper]\nyoungs_modulus = \"230 GPa\"\npoisson_ratio = "
+                 "0\nhardness = " +
+                 hardness + "\n[contact]\npressures = [" + list + "]\nlaws = [\"" + law + "\"]\n")["rows"])
+            all.push_back(row["stiffness_Pa_per_m"]);
+        return all;
+    };
+    for (const double g : {0.05, 0.2, 0.4}) {
+        const double m = g / std::sqrt(std::numbers::pi);
+        for (const double relative : {0.02, 0.05, 0.11, 0.19}) {
+            const double H = relative * E * g;
+            std::vector<double> pressures;
+            for (const double share : {1e-5, 1e-4, 1e-3, 1e-2, 0.1}) pressures.push_back(share * H);
+            const std::vector<double> K = stiffness("plastic", g, quoted(H, "Pa"), pressures);
+            for (std::size_t i = 0; i < K.size(); ++i) {
+                INFO("g " << g << ", H/(E g) " << relative << ", p/H " << pressures[i] / H);
+                CHECK(test::relative_error(K[i], 1.25 * E * m / sigma * std::pow(pressures[i] / H, 0.95)) < 0.2);
+            }
+        }
+        std::vector<double> pressures;
+        for (const double star : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.04}) pressures.push_back(star * E * g);
+        const std::vector<double> K = stiffness("hybrid", g, "\"infinite\"", pressures);
+        for (std::size_t i = 0; i < K.size(); ++i) {
+            INFO("g " << g << ", p/(E g) " << pressures[i] / (E * g));
+            const double correlation =
+                1.55 * E * m / sigma * std::pow(std::numbers::sqrt2 * pressures[i] / (E * m), 0.94);
+            CHECK(test::relative_error(K[i], correlation) < 0.2);
+        }
     }
-    CHECK(table.size() == 18);
-    CHECK(inside == 7);
 }
 
 TEST_CASE("Conductance in air to 230 kPa follows from one fitted rms height, and is not that of the spots") {
