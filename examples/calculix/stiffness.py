@@ -7,7 +7,7 @@
 The blocks of two_blocks.py are pressed at 0.97 p and 1.03 p; what the pressure grows by, over how much closer the two
 faces have come, is K. The script writes stiffness.inp and stiffness_law.inp into the current folder, runs CalculiX, and
 prints this K and that of `fstiff run` at the pressures of the scene, joint.toml by default: of its first law, and, of
-the built-in scene, whose peaks yield, of the answer and of both ends of its band (`--law answer`). It ends with exit
+the built-in scene, whose peaks yield, of the answer and of the upper end of its band (`--law answer`). It ends with exit
 code 1 where they differ by more than 1 %. Where CalculiX is missing it says SKIPPED.
 """
 import pathlib
@@ -65,7 +65,7 @@ def main():
     worst = [compare(given, given.scene, ["--law", rows[0]["law"]], pressures, of_rows, f"law {rows[0]['law']}")]
     rows = rows_of_run(given, [])[10::10]  # 1, 10 and 100 MPa
     pressures = [float(row["pressure_Pa"]) / 1e6 for row in rows]
-    for quantile, key in (("50%", ""), ("5%", "_p05"), ("95%", "_p95")):
+    for quantile, key in (("50%", ""), ("95%", "_p95")):  # the low end of run has the form of the faces, which a mesh has itself
         of_rows = [float(row[f"stiffness{key}_Pa_per_m"]) / 1e9 for row in rows]
         worst.append(compare(given, [], ["--law", "answer", "--quantile", quantile], pressures, of_rows, f"law answer, {quantile}"))
     return 0 if max(worst) <= 0.01 else 1
