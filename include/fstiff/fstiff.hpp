@@ -85,6 +85,7 @@
 #include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>
 #include <fstiff/halfspace/cosine_compliance.hpp>
+#include <fstiff/halfspace/flattened_map.hpp>
 #include <fstiff/halfspace/formed_joint.hpp>
 #include <fstiff/halfspace/joint_form.hpp>
 #include <fstiff/halfspace/measured_form.hpp>

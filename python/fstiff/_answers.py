@@ -94,6 +94,7 @@ def answer(
     other: Face | None = None,
     nominal_area: float | None = None,
     flatness: float | None = None,
+    aspect_ratio: float | None = None,
     greatest_pressure: float | None = None,
     quantities: Sequence[str] = (),
     frequency: float | None = None,
@@ -117,6 +118,7 @@ def answer(
     other               the other face where it is rough: a dict of the numbers above, or what measure() returned
     nominal_area        [m^2]
     flatness            height of the gap between both faces in touch, before load, over the nominal area [m]; K is that of the joint then
+    aspect_ratio        of the nominal area, long side over short side
     greatest_pressure   nominal, of any earlier load [Pa]
     quantities          words of output.quantities in docs/scene.md, such as "reflection", which needs a frequency [Hz]; those of
                         friction need its coefficient and an amplitude [m]
@@ -158,7 +160,7 @@ def answer(
     if several and surfaces != (len(measured),):
         raise ValueError("surface: a list of them goes with numbers and arrays of its length")
     p = numbers(pressures, "pressures")
-    given = {"nominal_area": nominal_area, "flatness": flatness, "greatest_pressure": greatest_pressure, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction}
+    given = {"nominal_area": nominal_area, "flatness": flatness, "aspect_ratio": aspect_ratio, "greatest_pressure": greatest_pressure, "frequency": frequency, "film_stiffness": film_stiffness, "friction": friction}
     given |= {"amplitude": amplitude, "seating": seating, "samples": whole(samples, "samples", 0, 100000), "seed": whole(seed, "seed", 0, 2**53)}
     options = {name: number(value, name) for name, value in given.items() if value is not None}
     first, second = _solid(upper, "upper"), _solid(upper if lower is None else lower, "lower")

@@ -91,12 +91,18 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
 
 void read_form(Source& source, const Section& contact, Scene& scene) {
     each_field(scene.given, [&](std::string_view name, auto& value, const NumberFacts& facts) {
-        if (name == "flatness" || name == "greatest_pressure") read_number(source, contact, name, value, facts);
+        if (name == "aspect_ratio" || name == "flatness" || name == "greatest_pressure")
+            read_number(source, contact, name, value, facts);
     });
     if (const toml::node* node = contact.find("form")) {
         if (contact.find("flatness")) contact.refuse("flatness", "must not be given with " + contact.key("form"));
         scene.given.form = read_gap_map(source, *node, contact, scene);
     }
+    if (contact.find("aspect_ratio"))
+        for (const char* other : {"washer", "bolt", "form"})
+            if (contact.find(other)) contact.refuse("aspect_ratio", "must not be given with " + contact.key(other));
+    if (contact.find("aspect_ratio") && !scene.given.nominal_area)
+        contact.refuse("aspect_ratio", "needs " + contact.key("nominal_area") + ", of which it is");
     if (contact.find("flatness") && !scene.given.nominal_area)
         contact.refuse("flatness", "needs " + contact.key("nominal_area") + ", " + contact.key("washer") + " or " +
                                        contact.key("bolt") + ", over which it is measured");

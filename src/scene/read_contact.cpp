@@ -290,9 +290,10 @@ void resolve(Scene& scene) {
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawKind law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
-    std::vector<std::string_view> keys{
-        "nominal_area", "washer", "ball_radius", "pressures", "pressure", "separations",       "force", "seating",
-        "laws",         "peaks",  "interaction", "flatness",  "form",     "greatest_pressure", "bolt"};
+    std::vector<std::string_view> keys{"nominal_area", "washer",       "ball_radius", "pressures", "pressure",
+                                       "separations",  "force",        "seating",     "laws",      "peaks",
+                                       "interaction",  "aspect_ratio", "flatness",    "form",      "greatest_pressure",
+                                       "bolt"};
     for (const LawKind law : laws_with_options) keys.push_back(name_of(law));
     const Section contact(source, root.subtable("contact"), "contact", keys);
     const std::pair<const char*, void (*)(Source&, const toml::table&, Scene&)> sections[]{

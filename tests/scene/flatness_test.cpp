@@ -8,6 +8,7 @@
 
 #include "actions/explanation.hpp"
 #include "support/accuracy.hpp"
+#include "support/half_space_maps.hpp"
 #include "support/library.hpp"
 
 #include <algorithm>
@@ -235,7 +236,11 @@ TEST_CASE("A form that does not suit is refused in one sentence") {
          "must not be given with a flatness"},
         {surface + "force = \"1 kN\"\nbolt = \"M11\"\n", "contact.bolt", "M10"},
         {surface + "force = \"1 kN\"\nbolt = { size = \"M10\", under = \"nut\" }\n", "contact.bolt.under", "washer"},
-        {of_area + "greatest_pressure = \"0 MPa\"\n", "contact.greatest_pressure", "greater than 0"}};
+        {of_area + "greatest_pressure = \"0 MPa\"\n", "contact.greatest_pressure", "greater than 0"},
+        {of_area + "aspect_ratio = 0.5\n", "contact.aspect_ratio", "from 1 to 1000"},
+        {surface + "pressure = \"1 MPa\"\naspect_ratio = 2\n", "contact.aspect_ratio", "needs contact.nominal_area"},
+        {surface + "force = \"1 kN\"\nbolt = \"M10\"\naspect_ratio = 2\n", "contact.aspect_ratio",
+         "must not be given with"}};
     for (const auto& row : rows) test::check_sentence(test::refused_scene(row[0]), {row.begin() + 1, row.end()});
     Joint joint = plates(-1e-6);
     CHECK(test::refused_for("flatness", [&] { (void)answer(joint, 1e7); }));
@@ -267,6 +272,49 @@ TEST_CASE("After an earlier load K lies between that of the first loading and th
                                    .answer.points[0]
                                    .stiffness.value,
                                greatest * detail::stiffness_after_load(K(plates(0), 1e7) / greatest, h)) < 1e-6);
+}
+
+TEST_CASE("A map that has carried more is flattened and pressed again, and the law of earlier loads agrees with it") {
+    const test::Folder folder;
+    const std::string scene = "[surface]\nfrom = '" +
+                              folder.write("map.txt", test::file_text(test::corner_of_map(96))) +
+                              "'\n[material]\nupper = \"C45\"\n[contact]\n",
+                      loads = "pressures = [\"3 MPa\", \"30 MPa\", \"299.9 MPa\", \"400 MPa\"]\n";
+    const auto first = test::results_of(scene + loads),
+               after = test::results_of(scene + loads + "greatest_pressure = \"300 MPa\"\n"),
+               all = test::results_of(scene + "pressures = [\"300 MPa\"]\n");
+    const double greatest = all.answer.points[0].stiffness.value;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const AnswerPoint &a = first.answer.points[i], &b = after.answer.points[i];
+        const double K = b.stiffness.value, by_law = detail::stiffness_after_load(a.stiffness.value / greatest,
+                                                                                  *first.answer.relative_hardness);
+        CAPTURE(i, a.stiffness.value, K, greatest, by_law * greatest);
+        CHECK(K > a.stiffness.value);
+        CHECK(K < greatest);
+        CHECK(std::abs(std::log(K / (by_law * greatest))) < std::log(1.45));  // the law is right to 45 %
+        CHECK(b.loading_stiffness.value_or(0) == K);
+        CHECK(b.causes[at(Cause::law)].low > a.causes[at(Cause::law)].low - 0.1);
+    }
+    const double end = after.answer.points[2].stiffness.value;
+    CHECK(test::relative_error(end, greatest) < 0.01);  // K of unloading, by two solvers
+    CHECK(after.answer.points[3].stiffness.value == first.answer.points[3].stiffness.value);
+}
+
+TEST_CASE("A long rectangle has the form of its own sides") {
+    Joint square = plates(1e-5), equal = square, strip = square;
+    equal.aspect_ratio = 1, strip.aspect_ratio = 8;
+    CHECK(K(equal, 1e7) == K(square, 1e7));
+    const double of_strip = K(strip, 1e7), sides = std::sqrt(8.0);
+    const AnswerPoint flat = answer(plates(0), 1e7, {.samples = 0});
+    Joint turned = strip;
+    turned.form = std::make_shared<const JointForm>(JointForm::crown(side / sides, side * sides, 1e-5));
+    turned.flatness.reset(), turned.aspect_ratio.reset();
+    CHECK(test::relative_error(K(turned, 1e7), of_strip) < 1e-9);
+    CHECK(of_strip < flat.stiffness.value);
+    CHECK(of_strip != K(square, 1e7));
+    CHECK(test::relative_error(
+              test::results_of(of_area + "flatness = \"10 um\"\naspect_ratio = 8\n").answer.points[0].stiffness.value,
+              of_strip) < 1e-9);
 }
 
 TEST_CASE("A family of alloys has a range of conductivities in the band of heat, an alloy or a number has none") {

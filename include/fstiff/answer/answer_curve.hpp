@@ -29,7 +29,8 @@ struct Solved {
     double weight = 0;  ///< next to the law of the summits; 0: not solved
     ContactState<double> state{};
     CauseSpread<double> cut_offs{};
-    double noise = 0;  ///< change of ln K once the noise of the map is gone
+    double noise = 0;                      ///< change of ln K once the noise of the map is gone
+    std::optional<double> earlier_load{};  ///< change of ln K by the greater load that the map has carried
     std::optional<double> separation_at_seating{};
 };
 

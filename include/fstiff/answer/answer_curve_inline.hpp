@@ -196,17 +196,25 @@ FSTIFF_INLINE double stiffness_at_greatest(const ResolvedJoint& problem, const L
     return point.ok() ? point.state.stiffness.value : 0;
 }
 
-/// The state \p i of \p curve after the greatest pressure, if that is greater: what flowed then stays. K there is
-/// \p greatest [Pa/m]. \p reason has the error of the law of earlier loads too.
-FSTIFF_INLINE void take_earlier_load(const ResolvedJoint& problem, double greatest, std::size_t i, LawCurve& curve,
-                                     AnswerReason& reason) {
+/// Takes the state \p i of \p curve after the greatest pressure, if that is greater: what flowed then stays. K is that
+/// of boundary elements as far as \p solved has it, else of the law of earlier loads with its error, from \p greatest,
+/// K at the greatest pressure [Pa/m].
+FSTIFF_INLINE void take_earlier_load(const ResolvedJoint& problem, double greatest, const Solved& solved, std::size_t i,
+                                     LawCurve& curve, AnswerReason& reason) {
     ContactState<double>& state = curve.states[i];
     const double K = state.stiffness.value;
-    if (!(greatest > K && state.pressure.value < *problem.greatest_pressure)) return;
-    const double after = greatest * stiffness_after_load(K / greatest, relative_hardness(problem).value_or(0));
+    if (!(greatest > 0 && state.pressure.value < *problem.greatest_pressure)) return;
+    const double by_law =
+        greatest > K
+            ? std::log(greatest / K * stiffness_after_load(K / greatest, relative_hardness(problem).value_or(0)))
+            : 0;
+    const double weight = solved.earlier_load ? solved.weight : 0,
+                 change = std::lerp(by_law, solved.earlier_load.value_or(0), weight);
+    if (!(change > 0)) return;
+    const double after = K * std::exp(change);
     state.stiffness = {after, state.stiffness.error * after / K};
     state.loading_stiffness.value = after;
-    constexpr double error = 0.2;  // 5 and 95 % of ln K about that law
+    const double error = 0.2 * (1 - weight);  // 5 and 95 % of ln K about that law
     CauseSpread<double>& law = reason.causes[static_cast<std::size_t>(Cause::law)];
     law = {-std::hypot(law.low, error), std::hypot(law.high, error)};
 }
@@ -371,7 +379,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
         if (solved.weight > 0) hand_over(problem, solved, i, curve, reason);
         if (facts.of_map_itself && problem.face.map->maps.size() > 1)
             put(Cause::measurement, scatter_of_shifts(problem, curve.states[i].stiffness));
-        take_earlier_load(problem, at_greatest, i, curve, reason);
+        take_earlier_load(problem, at_greatest, solved, i, curve, reason);
         lower_by_long_waves(facts.long_waves, i, curve);
         const double K = curve.states[i].stiffness.value;
         double& loading = curve.states[i].loading_stiffness.value;  // K of an elastic contact, else no more

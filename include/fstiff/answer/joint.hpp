@@ -158,7 +158,8 @@ struct Joint {
     /// [Pa], above 0, in place of the elastic constants: `upper` has the rest of the softer body then.
     std::optional<double> effective_modulus{};
     std::optional<double> nominal_area{};  ///< [m^2], above 0
-    std::optional<Ring> ring{};            ///< that the nominal area is; none: a square
+    std::optional<double> aspect_ratio{};  ///< of the nominal area, its long side over its short one, 1 or more
+    std::optional<Ring> ring{};            ///< that the nominal area is; none: a rectangle of this ratio, or a square
     /// [m], 0 or more: height of the gap between both faces in touch, before load, over the nominal area; of two faces
     /// with the tolerances t1 and t2 at most t1 + t2. None: the faces are taken to conform, which has a part in the
     /// band.

@@ -217,6 +217,11 @@ void each_field(F& friction, const Take& take) {
 template <detail::fields::Of<Joint> J, class Take>
 void each_field(J& joint, const Take& take) {
     take("nominal_area", joint.nominal_area, NumberFacts{.unit = "m^2", .help = "nominal area"});
+    take("aspect_ratio", joint.aspect_ratio,
+         NumberFacts{.help = "long side over short side of the nominal area, a rectangle",
+                     .low = 1,
+                     .high = 1000,
+                     .low_too = true});
     take("flatness", joint.flatness,
          NumberFacts{
              .unit = "m", .help = "height of the gap between both faces in touch, before load", .low_too = true});

@@ -228,6 +228,10 @@ FSTIFF_INLINE void require_form(const Joint& joint) {
     if (joint.ring && !(joint.ring->inner >= 0 && joint.ring->outer > joint.ring->inner))
         refuse("ring", "must have 0 <= inner < outer");
     if (joint.flatness && joint.form) refuse("flatness", "must not be given with form");
+    if (joint.aspect_ratio && (joint.ring || joint.form))
+        refuse("aspect_ratio",
+               joint.ring ? "must not be given with a ring" : "must not be given with form, which has its own");
+    if (joint.aspect_ratio && !joint.nominal_area) refuse("aspect_ratio", "needs nominal_area, of which it is");
     if ((joint.flatness || joint.form) && !joint.nominal_area)
         refuse(joint.form ? "form" : "flatness", "needs nominal_area, over which it is measured");
 }
@@ -235,10 +239,11 @@ FSTIFF_INLINE void require_form(const Joint& joint) {
 /// The form of \p joint; null where it has none, or none of a height.
 FSTIFF_INLINE std::shared_ptr<const JointForm> form_of(const Joint& joint) {
     if (joint.form || joint.flatness.value_or(0) == 0) return joint.form;
-    const double side = std::sqrt(*joint.nominal_area);
+    const double ratio = joint.aspect_ratio.value_or(1);
     return std::make_shared<const JointForm>(
         joint.ring ? JointForm::ring(joint.ring->inner / 2, joint.ring->outer / 2, *joint.flatness)
-                   : JointForm::crown(side, side, *joint.flatness));
+                   : JointForm::crown(std::sqrt(*joint.nominal_area * ratio), std::sqrt(*joint.nominal_area / ratio),
+                                      *joint.flatness));
 }
 
 /// Returns \p call(); its errors name the parameter as a member of \p part.

@@ -12,6 +12,7 @@
 #include <fstiff/answer/lacks.hpp>
 #include <fstiff/answer/request.hpp>
 #include <fstiff/answer/rising_curve.hpp>
+#include <fstiff/halfspace/flattened_map.hpp>
 #include <fstiff/halfspace/solve_half_space.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/white_noise.hpp>
@@ -146,13 +147,12 @@ FSTIFF_INLINE LawCurve solved(const ResolvedJoint& problem, const Request& reque
     return curve;
 }
 
-/// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at a few of them, the others
-/// lie on lines over ln p.
+/// ln K of boundary elements of \p map over K of \p solved at each of its states: solved at \p most of them, the
+/// others lie on lines over ln p.
 FSTIFF_INLINE std::vector<double> changes(const ResolvedJoint& problem, const HeightMap<double>& map,
-                                          const LawCurve& solved, double hardness, const ParallelHook& parallel,
-                                          const ProgressHook& progress) {
-    const std::size_t count = solved.states.size(),
-                      most = hardness > 0 ? 2 : 6;  // with a hardness one takes as long as four
+                                          const LawCurve& solved, double hardness, std::size_t most,
+                                          const ParallelHook& parallel, const ProgressHook& progress) {
+    const std::size_t count = solved.states.size();
     std::vector<double> pressures;
     std::vector<std::size_t> places;
     for (std::size_t k = 0; k < (std::min)(most, count); ++k) {
@@ -183,6 +183,28 @@ FSTIFF_INLINE std::vector<double> changes(const ResolvedJoint& problem, const He
     return out;
 }
 
+/// Solutions for a cause of the band: with a \p hardness one takes as long as four.
+FSTIFF_INLINE std::size_t few_changes(double hardness) { return hardness > 0 ? 2 : 6; }
+
+/// Gives \p of_place the change of ln K at each state of \p solved by the greatest pressure that \p problem has
+/// carried: its map, flattened by that, is elastic below. None of a sum of two maps, which is there in several shifts.
+FSTIFF_INLINE void add_earlier_load(const ResolvedJoint& problem, const LawCurve& solved, double hardness,
+                                    const ParallelHook& parallel, const ProgressHook& progress,
+                                    std::vector<Solved>& of_place) {
+    if (!problem.greatest_pressure || !(hardness > 0) || problem.face.map->maps.size() > 1) return;
+    const double greatest = (std::min)(*problem.greatest_pressure, 0.95 * hardness);
+    LawCurve below{.law = solved.law};
+    for (std::size_t k = 0; k < solved.states.size(); ++k)
+        if (solved.states[k].pressure.value < greatest)
+            below.states.push_back(solved.states[k]), below.places.push_back(solved.places[k]);
+    if (below.states.empty()) return;
+    const HeightMap<double> grid = detail::map_for_truth(*problem.face.map->maps.front(), problem.law_options.points);
+    const HeightMap<double> flat = flattened(grid, problem.effective_modulus, greatest,
+                                             {.edges = problem.law_options.edges, .hardness = hardness});
+    const std::vector<double> of_load = changes(problem, flat, below, 0, 12, parallel, progress);
+    for (std::size_t k = 0; k < of_load.size(); ++k) of_place[below.places[k]].earlier_load = of_load[k];
+}
+
 /// Change of ln K at each state of \p solved once the noise of the map is gone: that of the lambda_s of the tables, as
 /// far as the gradient which this takes away is noise.
 FSTIFF_INLINE std::vector<double> spread_without_noise(const ResolvedJoint& problem, const LawCurve& solved,
@@ -199,7 +221,7 @@ FSTIFF_INLINE std::vector<double> spread_without_noise(const ResolvedJoint& prob
                  of_noise = detail::gradient_of_noise(noise, map.dx, map.dy),
                  share = (std::min)(1.0, of_noise * of_noise / ((gradient - kept) * (gradient + kept)));
     if (!(share > 0.01)) return result;
-    result = changes(problem, *face.filtered, solved, hardness, parallel, progress);
+    result = changes(problem, *face.filtered, solved, hardness, few_changes(hardness), parallel, progress);
     for (double& change : result) change = share * (std::max)(0.0, change);
     return result;
 }
@@ -212,7 +234,8 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const Resolved
                                                                   const ProgressHook& progress) {
     std::vector<CauseSpread<double>> causes(solved.states.size());
     const auto widen = [&](const HeightMap<double>& map, double factor, bool both_ways) {
-        const std::vector<double> of_map = changes(problem, map, solved, hardness, parallel, progress);
+        const std::vector<double> of_map =
+            changes(problem, map, solved, hardness, few_changes(hardness), parallel, progress);
         for (std::size_t i = 0; i < causes.size(); ++i) {
             const double change = factor * of_map[i];
             causes[i].low = -std::hypot(causes[i].low, both_ways ? change : (std::min)(0.0, change));
@@ -244,7 +267,8 @@ FSTIFF_INLINE std::vector<CauseSpread<double>> spread_of_cut_offs(const Resolved
     if (!flat.settled || rms_of(*flat.settled) < 0.02 * sigma) return causes;
     // a plane that is askew lowers K: half of what the plane of least squares takes, and all that it adds, where it
     // is more than the rest
-    const std::vector<double> askew = changes(problem, tilted(*flat.settled, 1), solved, hardness, parallel, progress);
+    const std::vector<double> askew =
+        changes(problem, tilted(*flat.settled, 1), solved, hardness, few_changes(hardness), parallel, progress);
     for (std::size_t i = 0; i < causes.size(); ++i) {
         double& end = askew[i] < 0 ? causes[i].low : causes[i].high;
         const double part = askew[i] < 0 ? askew[i] / 2 : askew[i];
@@ -297,6 +321,7 @@ FSTIFF_INLINE std::vector<Solved> boundary_elements_of(const ResolvedJoint& prob
         if (!elements.separation_at_seating.empty()) entry.separation_at_seating = elements.separation_at_seating[k];
     }
     for (std::size_t i = 0; i < solved.size(); ++i) solved[i].weight *= known[i];
+    add_earlier_load(problem, elements, hardness, request.parallel, progress, solved);
     for (MissedPoint& missed : curve.missed)
         for (const MissedPoint& other : elements.missed)
             if (other.place == missed.place) missed = other;
