@@ -43,12 +43,22 @@ bool is_nearly_elastic(const Answer& answer) {
            });
 }
 
+/// Whether the peaks have yielded under more than the pressure of every point.
+bool has_carried_more(const detail::ResolvedJoint& joint, const Answer& answer) {
+    const double carried = joint.greatest_pressure.value_or(0);
+    return answer.flows && std::all_of(answer.points.begin(), answer.points.end(),
+                                       [&](const AnswerPoint& point) { return point.pressure < carried; });
+}
+
 /// The kind of stiffness that K is, and where it applies.
-std::vector<std::string> nature(const Answer& answer) {
+std::vector<std::string> nature(const detail::ResolvedJoint& joint, const Answer& answer) {
     const std::optional<double>& ratio = answer.relative_hardness;
     const std::string number = ratio ? " (H/(E g) = " + document::rounded(*ratio, 2) + ")" : "";
     const bool loads = std::any_of(answer.points.begin(), answer.points.end(),
                                    [](const AnswerPoint& point) { return point.loading_stiffness.has_value(); });
+    if (has_carried_more(joint, answer))
+        return {"The peaks yielded under " + document::with_unit(*joint.greatest_pressure, "Pa", 3) + number + ".",
+                "Below it K is the same for loading, vibration and waves."};
     if (is_nearly_elastic(answer))
         return {"The contact is nearly elastic" + number +
                 ": K is the same for loading, vibration and waves, within 5 %."};
@@ -215,13 +225,14 @@ std::pair<std::vector<std::string>, std::vector<std::string>> explanation_of(con
     const auto& joint = answered.scene->joint;
     if (!answered.has_answer()) return {};
     const Answer& answer = answered.answer;
-    std::vector<std::string> sentences = nature(answer);
+    std::vector<std::string> sentences = nature(joint, answer);
     if (std::string source = source_of(joint, answer); !source.empty()) sentences.push_back(std::move(source));
-    const std::string shorter = has_lay(joint)              ? "A profile across a lay does not determine K."
-                                : is_nearly_elastic(answer) ? "The contact is nearly elastic."
-                                : answer.flows              ? "The peaks yield: K is that of unloading."
-                                : !answer.relative_hardness ? "Taken as elastic."
-                                                            : "K is that of an elastic contact; peaks may yield.";
+    const std::string shorter = has_lay(joint)                    ? "A profile across a lay does not determine K."
+                                : has_carried_more(joint, answer) ? "The peaks have yielded before: K is elastic."
+                                : is_nearly_elastic(answer)       ? "The contact is nearly elastic."
+                                : answer.flows                    ? "The peaks yield: K is that of unloading."
+                                : !answer.relative_hardness       ? "Taken as elastic."
+                                                                  : "K is that of an elastic contact; peaks may yield.";
     return {std::move(sentences), {shorter}};
 }
 

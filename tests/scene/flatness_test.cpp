@@ -268,6 +268,8 @@ TEST_CASE("After an earlier load K lies between that of the first loading and th
     for (Joint* joint : {&first, &after})
         joint->upper.hardness = joint->lower.hardness = std::numeric_limits<double>::infinity();
     CHECK(K(after, 1e7) == K(first, 1e7));  // elastic bodies have no memory
+    const auto said = test::results_of(of_area + "greatest_pressure = \"100 MPa\"\n").explanation;
+    CHECK(test::contains(test::joined(said), "The peaks yielded under 100 MPa (H/(E g) = 0.13)."));
     CHECK(test::relative_error(test::results_of(of_area + "flatness = \"0 um\"\ngreatest_pressure = \"100 MPa\"\n")
                                    .answer.points[0]
                                    .stiffness.value,
