@@ -39,6 +39,8 @@ struct Solved {
 /// What the form of \p problem, which is not known, may lower K at a state with \p K [Pa/m] under \p pressure [Pa].
 /// None without a nominal area, and where a face was measured over all of it.
 [[nodiscard]] CauseSpread<double> spread_of_form(const ResolvedJoint& problem, double K, double pressure);
+/// The band of a state with \p K [Pa/m], by \p causes.
+[[nodiscard]] SampledBand<double> band_about(double K, const Causes<double>& causes);
 /// Widens \p bands where an end falls as the pressure of \p states rises: parts that shrink with p, such as the error
 /// of the grid, are known to their own size alone.
 void make_ends_rise(const std::vector<ContactState<double>>& states, std::vector<SampledBand<double>>& bands);

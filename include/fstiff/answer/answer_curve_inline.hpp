@@ -287,25 +287,27 @@ FSTIFF_INLINE void make_ends_rise(const std::vector<ContactState<double>>& state
         bands[order[k - 2]].low = (std::min)(bands[order[k - 2]].low, bands[order[k - 1]].low);
 }
 
+FSTIFF_INLINE SampledBand<double> band_about(double K, const Causes<double>& causes) {
+    constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
+    const CauseSpread<double> total = band_of(causes);
+    return {K * std::exp(total.low), K, (std::min)(most, K * std::exp(total.high))};
+}
+
 /// The bands of an answer, with the form that is not known and without it.
 class AnswerBands {
 public:
     /// Adds the band of the state \p i of \p curve by the causes of \p reason, to which that of the form comes.
     void add(const ResolvedJoint& problem, std::size_t i, const LawCurve& curve, AnswerReason& reason) {
         const double K = curve.states[i].stiffness.value;
-        const auto band = [&] {
-            const auto total = detail::band_of(reason.causes);
-            constexpr double most = (std::numeric_limits<double>::max)() / 2;  // as in_range() of a state
-            return SampledBand<double>{K * std::exp(total.low), K, (std::min)(most, K * std::exp(total.high))};
-        };
-        of_faces_.push_back(band());
+        of_faces_.push_back(band_about(K, reason.causes));
+        bands_.push_back(of_faces_.back());
         const CauseSpread<double> form = spread_of_form(problem, K, curve.states[i].pressure.value);
         if (auto& waves = reason.causes[static_cast<std::size_t>(Cause::long_waves)]; form.low < waves.low) {
             waves.low = 0;  // waves as long as the face are its form
             reason.causes[static_cast<std::size_t>(Cause::form)] = form;
+            bands_.back() = band_about(K, reason.causes);
             formed_ = true;
         }
-        bands_.push_back(band());
     }
     /// Gives them to \p curve.
     void give(LawCurve& curve) {
@@ -369,7 +371,7 @@ FSTIFF_INLINE AnswerFacts make_answer(const ResolvedJoint& problem, const Reques
         put(Cause::lay, of_lay(problem));
         if (reason.contacts && !facts.of_map_itself)
             put(Cause::contacts, detail::scatter_of_contacts(*reason.contacts));
-        put(Cause::long_waves, {-((std::max)(longer.growth - expected, expected)), expected});
+        put(Cause::long_waves, spread_of_long_waves(longer.growth, expected));
         CauseSpread<double> of_law = law_error(problem, curve.law->which, reason);
         const double log_K = std::log(curve.states[i].stiffness.value);
         const double log_end = light.greatest(curve.states[i].pressure.value, log_K, log_K + of_law.high);

@@ -34,6 +34,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -148,9 +149,8 @@ FSTIFF_INLINE Request request_of(const ResolvedJoint& joint, std::span<const dou
 
 /// Whether the contacts of an answer at the state \p i of \p curve are peaks, of which many have grown together.
 FSTIFF_INLINE bool counts_peaks(const ResolvedJoint& joint, const LawCurve& curve, std::size_t i) {
-    constexpr double most = 0.03;  // p/(E g): there 1 to 4 times as many as spots
     return !curve.by.empty() && curve.law_at(i).which != LawKind::boundary_elements && curve.rms_gradient &&
-           curve.states[i].pressure.value > most * joint.effective_modulus * *curve.rms_gradient;
+           curve.states[i].pressure.value > most_of_spots * joint.effective_modulus * *curve.rms_gradient;
 }
 
 /// The number of \p quantity at the state \p i of \p curve, with the ends of its band; none where its law has none.
@@ -175,11 +175,8 @@ FSTIFF_INLINE std::optional<AnswerPoint::Value> value_of(const AnswerQuantity& q
         return quantity.value({joint, curve, i, state, end}).value;
     };
     auto [low, median, high, failed] = curve.band[i];
-    if (quantity.of_heat && low > 0) {  // the conductivity is as good as K
-        const double K = curve.states[i].stiffness.value;
-        low = K * std::exp(-std::hypot(std::log(K / low), joint.heat.low));
-        high = K * std::exp(std::hypot(std::log(high / K), joint.heat.high));
-    }
+    if (quantity.of_heat && low > 0)  // the conductivity is as good as K
+        std::tie(low, high) = widened(curve.states[i].stiffness.value, low, high, joint.heat);
     if (quantity.with_stiffness == AnswerQuantity::WithStiffness::falls) std::swap(low, high);
     of.number.low = bound(low, BandEnd::low), of.number.high = bound(high, BandEnd::high);
     return of;

@@ -94,8 +94,8 @@ namespace detail {
 /// Contacts per force [1/N] of \p answer where the pressure is \p pressure [Pa], or the greatest at which peaks are
 /// spots; 0: not known.
 [[nodiscard]] inline double contacts_per_force(const Answer& answer, double pressure) {
-    constexpr double most = 0.03;  // p/(E g)
-    if (answer.rms_gradient) pressure = (std::min)(pressure, most * answer.effective_modulus * *answer.rms_gradient);
+    if (answer.rms_gradient)
+        pressure = (std::min)(pressure, most_of_spots * answer.effective_modulus * *answer.rms_gradient);
     double least = 0, per_force = 0;
     for (const AnswerPoint& point : answer.points)
         if (const double away = std::abs(std::log(point.pressure / pressure));
@@ -133,8 +133,7 @@ inline std::vector<Answer::Ball> Answer::balls(double radius, std::span<const do
                          share = (std::max)(0.0, 1 - K / ball.hertz.stiffness),
                          of_place = contacts > 0 ? share * detail::scatter_of_contacts(contacts).high : 0,
                          beside = std::hypot(of_model, of_place);
-            ball.low = K * std::exp(-std::hypot(std::log(K / ball.low), beside));
-            ball.high = K * std::exp(std::hypot(std::log(ball.high / K), beside));
+            std::tie(ball.low, ball.high) = detail::widened(K, ball.low, ball.high, {beside, beside});
             ball.yields = ball.contact.pressure > 1.6 * yield_strength;
         } catch (const domain_error& error) {
             ball.reason = error.what(), ball.contact = {};

@@ -13,10 +13,12 @@
 
 #include <fstiff/core/numbers.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -71,6 +73,19 @@ template <Real T>
         total.high = std::hypot(total.high, cause.high);
     }
     return total;
+}
+
+/// The ends \p low and \p high of the band of \p value with one cause more, \p spread of ln value, by squares.
+template <Real T>
+[[nodiscard]] std::pair<T, T> widened(T value, T low, T high, const CauseSpread<T>& spread) {
+    return {value * std::exp(-std::hypot(std::log(value / low), spread.low)),
+            value * std::exp(std::hypot(std::log(high / value), spread.high))};
+}
+
+/// Of waves that lower ln K by up to \p growth, where \p expected is taken: from none of them to all.
+template <Real T>
+[[nodiscard]] CauseSpread<T> spread_of_long_waves(T growth, T expected) {
+    return {-(std::max)(growth - expected, expected), expected};
 }
 
 }  // namespace detail

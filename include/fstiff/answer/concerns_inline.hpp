@@ -176,8 +176,7 @@ FSTIFF_INLINE double factor_of_larger(const ResolvedJoint& problem, Causes<doubl
         LongEnd<double> end = problem.face.parameters.long_end;
         end.side *= profile ? 4 : 2, end.error /= 2;
         const UnmeasuredWaves<double> longer = detail::unmeasured_waves(end, std::sqrt(*problem.nominal_area));
-        causes[static_cast<std::size_t>(Cause::long_waves)] = {
-            -(std::max)(longer.growth - longer.expected, longer.expected), longer.expected};
+        causes[static_cast<std::size_t>(Cause::long_waves)] = spread_of_long_waves(longer.growth, longer.expected);
     } else {
         scale(Cause::contacts, profile ? 0.25 : 0.5);
     }

@@ -149,9 +149,7 @@ FSTIFF_INLINE void take_form(const ResolvedJoint& problem, const LawOfFaces& law
     state.loading_stiffness.value = carried ? value.stiffness : (std::min)(value.loading_stiffness, value.stiffness);
     if (reason.loading_stiffness) reason.loading_stiffness = state.loading_stiffness.value;
     curve.form.push_back({value.touching_share, value.greatest_pressure_over_mean * p});
-    const CauseSpread<double> total = band_of(reason.causes);
-    band.low = value.stiffness * std::exp(total.low), band.median = value.stiffness;
-    band.high = (std::min)(std::numeric_limits<double>::max() / 2, value.stiffness * std::exp(total.high));
+    band = band_about(value.stiffness, reason.causes);
 }
 
 FSTIFF_INLINE void add_form(const ResolvedJoint& problem, const Request& request,

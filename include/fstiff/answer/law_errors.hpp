@@ -132,6 +132,9 @@ template <Real T>
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }
 
+/// p/(E g) up to which the contacts of a law, its peaks, are spots: there they are 1 to 4 times as many.
+inline constexpr double most_of_spots = 0.03;
+
 /// Uncertainty of K by the number of \p contacts on an area, 5 and 95 %; fewer than one count as one.
 template <Real T>
 [[nodiscard]] CauseSpread<T> scatter_of_contacts(T contacts) {
