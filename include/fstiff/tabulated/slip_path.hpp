@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// One step of a rough contact in friction: the drag of each of its levels, and its derivatives by the step.
+/// One step of a rough contact in friction: the drag of each of its levels, and its derivatives by what moves it.
 ///
 ///     levels x >= d, dragged by u(x) with |u| <= c (x - d), c = mu K_n/K_t; u is linear between nodes
 ///     v = u + s                                        trial: all levels move by s; new ones by their share of it
 ///     u = v where |v| <= c (x - d), else c (x - d) v/|v|, with a node where one turns into the other
 ///
-/// Units       m; derivatives by d and by s
+/// Units       m; derivatives by any numbers: those of d, s and of the drag before the step come with it
 /// Valid       as tabulated/tangential_law, which uses it
 /// Accuracy    rounding; u is exact between nodes while its direction is constant there
 
@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -38,45 +39,83 @@ struct SlipState {
     std::array<Node, std::size_t{capacity}> nodes{};  ///< from the closest on; beyond the last the drag is constant
 };
 
+/// Derivatives of a SlipState by \p Columns numbers, which the whole motion depends on.
+template <Real T = double, int Directions = 2, int Columns = Directions + 1>
+struct SlipDerivatives {
+    using Level = Eigen::Matrix<T, 1, Columns>;
+    using Drag = Eigen::Matrix<T, Directions, Columns>;
+    /// Of one node.
+    struct Node {
+        Level level = Level::Zero();
+        Drag drag = Drag::Zero();
+    };
+
+    Node edge{};  ///< of the separation, and of the drag next to it: not 0 where nothing slips
+    std::array<Node, std::size_t{SlipState<T, Directions>::capacity}> nodes{};
+};
+
 namespace detail {
 
-template <Real T, int Directions>
+/// The numbers of a step, and their derivatives by \p Columns numbers.
+template <Real T, int Directions, int Columns>
+struct SlipStep {
+    T separation;
+    Eigen::Matrix<T, Directions, 1> slip;
+    Eigen::Matrix<T, 1, Columns> separation_by;
+    Eigen::Matrix<T, Directions, Columns> slip_by;
+};
+
+template <Real T, int Directions, int Columns>
 class SlipPath {
 public:
     using State = SlipState<T, Directions>;
+    using StateBy = SlipDerivatives<T, Directions, Columns>;
+    using Step = SlipStep<T, Directions, Columns>;
     using Vector = Eigen::Matrix<T, Directions, 1>;
-    using ByInputs = Eigen::Matrix<T, 1, Directions + 1>;  ///< derivatives by d and by s
     struct Point {
         T level;
         Vector drag;
-        ByInputs level_by;
-        Eigen::Matrix<T, Directions, Directions + 1> drag_by;
+        typename StateBy::Level level_by;
+        typename StateBy::Drag drag_by;
+        T pressure, slope;  ///< of the law at the level: p [Pa] and -dp/dd [Pa/m], by evaluate()
     };
 
-    /// The path from \p before to \p separation and by \p slip. \p cone: c.
-    SlipPath(const State& before, T separation, const Vector& slip, T cone) : separation_(separation), cone_(cone) {
-        move(before, slip);
+    /// The path from \p before, whose derivatives are \p before_by, or 0 of null, by \p step. \p cone: c.
+    SlipPath(const State& before, const StateBy* before_by, const Step& step, T cone) : step_(step), cone_(cone) {
+        move(before, before_by);
         for (int i = 0; i < tries_; ++i) {
             slide(tried_[i]);
-            if (i == 0) points_[0].drag_by.col(0).setZero();  // the edge is not dragged wherever it goes
-            i + 1 < tries_ ? between(tried_[i], tried_[i + 1]) : cross_beyond(tried_[i]);
+            if (i == 0) hold_edge();
+            if (i + 1 == tries_)
+                cross_beyond(tried_[i]);
+            else if (!(sticks(tried_[i]) && sticks(tried_[i + 1])))  // else all between do: the cone is convex
+                between(tried_[i], tried_[i + 1]);
         }
     }
 
     [[nodiscard]] const Point* begin() const { return points_; }
     [[nodiscard]] const Point* end() const { return points_ + count_; }
 
-    /// Writes the nodes that are needed. If there are too many, those of the least weight by \p pressure go first.
-    template <class Pressure>
-    void remember(State& after, const Pressure& pressure) {
-        drop_straight();
-        while (count_ - 1 > State::capacity) drop_lightest(pressure);
-        after.separation = separation_;
-        after.count = count_ - 1;
-        for (int i = 1; i < count_; ++i) {
-            auto& node = after.nodes[static_cast<std::size_t>(i - 1)];
-            node.level = points_[i].level;
-            std::copy_n(points_[i].drag.data(), Directions, node.drag.data());
+    /// p and -dp/dd of each point by \p tangent of its level.
+    template <class Tangent>
+    void evaluate(const Tangent& tangent) {
+        for (int i = 0; i < count_; ++i) std::tie(points_[i].pressure, points_[i].slope) = tangent(points_[i].level);
+    }
+
+    /// Writes the nodes that are needed, after evaluate(). If there are too many, those of the least weight go first.
+    /// \p after_by takes their derivatives; null: they are not asked for.
+    void remember(State& after, StateBy* after_by) {
+        keep_bends(after_by);
+        keep_heaviest(after_by);
+        after.separation = step_.separation;
+        after.count = kept_count_ - 1;
+        if (after_by) after_by->edge = {step_.separation_by, points_[0].drag_by};
+        for (int i = 1; i < kept_count_; ++i) {
+            const auto k = static_cast<std::size_t>(i - 1);
+            const Point& point = points_[kept_[i]];
+            after.nodes[k].level = point.level;
+            std::copy_n(point.drag.data(), Directions, after.nodes[k].drag.data());
+            if (after_by) after_by->nodes[k] = {point.level_by, point.drag_by};
         }
     }
 
@@ -87,44 +126,59 @@ private:
     static constexpr int most = 5 * most_tried, most_turned = most - 3 * most_tried;
     static constexpr T rounding = 64 * std::numeric_limits<T>::epsilon(), straight = 16 * rounding;
 
+    /// A point of the memory.
+    struct Kept {
+        T level;
+        Vector drag;
+        typename StateBy::Node by;
+    };
+
     /// The trial: where each level would be if none slipped.
-    void move(const State& before, const Vector& slip) {
-        bool begun = separation_ < before.separation;  // then the edge has just touched and is not dragged
-        if (begun) begin(Vector::Zero(), Vector::Zero()).drag_by.setZero(), moved(before.separation, slip);
-        typename State::Node from{.level = before.separation};
+    void move(const State& before, const StateBy* by) {
+        const T separation = step_.separation;
+        Kept from{before.separation, Vector::Zero(), by ? by->edge : typename StateBy::Node{}};
+        bool begun = separation < before.separation;  // then the edge has just touched and is not dragged
+        if (begun) begin(Vector::Zero(), Vector::Zero()).drag_by.setZero(), moved(from);
         for (int i = 0; i < before.count; ++i) {
-            const auto& node = before.nodes[static_cast<std::size_t>(i)];
-            if (node.level > separation_) {
-                const Vector slope = (drag_of(node) - drag_of(from)) / (node.level - from.level);
-                if (!begun) begin(drag_of(from) + slope * (separation_ - from.level) + slip, slope);
+            const auto k = static_cast<std::size_t>(i);
+            const Kept node{before.nodes[k].level, Eigen::Map<const Vector>(before.nodes[k].drag.data()),
+                            by ? by->nodes[k] : typename StateBy::Node{}};
+            if (node.level > separation) {
+                if (!begun) begin_between(from, node);
                 begun = true;
-                moved(node.level, drag_of(node) + slip);
+                moved(node);
             }
             from = node;
         }
-        if (!begun) begin(drag_of(from) + slip, Vector::Zero());
+        if (!begun) begin(from.drag + step_.slip, Vector::Zero()).drag_by = from.by.drag + step_.slip_by;
     }
     /// The edge, at a place of the trial that rises with \p slope.
     Point& begin(const Vector& drag, const Vector& slope) {
-        Point& edge = moved(separation_, drag);
-        edge.level_by[0] = 1;
-        edge.drag_by.col(0) = slope;
+        Point& edge = tried_[tries_++];
+        edge.level = step_.separation, edge.drag = drag;
+        edge.level_by = step_.separation_by;
+        edge_slope_ = slope;
         return edge;
     }
-    Point& moved(T level, const Vector& drag) {
+    void begin_between(const Kept& a, const Kept& b) {
+        const T t = (step_.separation - a.level) / (b.level - a.level);
+        const Vector rise = b.drag - a.drag, slope = rise / (b.level - a.level);
+        begin(a.drag + t * rise + step_.slip, slope).drag_by =
+            (1 - t) * (a.by.drag - slope * a.by.level) + t * (b.by.drag - slope * b.by.level) + step_.slip_by +
+            slope * step_.separation_by;
+    }
+    void moved(const Kept& node) {
         Point& point = tried_[tries_++];
-        point.level = level, point.drag = drag;
-        point.level_by.setZero();
-        point.drag_by.col(0).setZero();
-        point.drag_by.template rightCols<Directions>().setIdentity();
-        return point;
+        point.level = node.level, point.drag = node.drag + step_.slip;
+        point.level_by = node.by.level, point.drag_by = node.by.drag + step_.slip_by;
     }
-    [[nodiscard]] static Vector drag_of(const typename State::Node& node) {
-        return Eigen::Map<const Vector>(node.drag.data());
-    }
-    [[nodiscard]] T bound(T level) const { return cone_ * (level - separation_); }
+    [[nodiscard]] T bound(T level) const { return cone_ * (level - step_.separation); }
     [[nodiscard]] bool slips(const Point& tried) const {
         return tried.drag.norm() > bound(tried.level) * (1 + rounding);
+    }
+    /// Well within the cone.
+    [[nodiscard]] bool sticks(const Point& tried) const {
+        return tried.drag.norm() < bound(tried.level) * (1 - 4 * straight);
     }
     Point& add(const Point& point) { return points_[count_++] = point; }
 
@@ -134,11 +188,18 @@ private:
         if (!slips(tried)) return;
         const T length = tried.drag.norm(), most_drag = bound(tried.level);
         const Vector along = tried.drag / length;
-        ByInputs widening = cone_ * tried.level_by;
-        widening[0] -= cone_;
         point.drag = most_drag * along;
-        point.drag_by =
-            most_drag / length * (tried.drag_by - along * (along.transpose() * tried.drag_by)) + along * widening;
+        const typename StateBy::Level by_length = along.transpose() * tried.drag_by;
+        point.drag_by = most_drag / length * (tried.drag_by - along * by_length);
+        point.drag_by += along * (cone_ * (tried.level_by - step_.separation_by));
+    }
+    /// The edge is not dragged wherever it goes: what is left are levels next to it where nothing slips.
+    void hold_edge() {
+        Point& edge = points_[0];
+        if (slips(tried_[0]))
+            edge.drag_by.setZero();
+        else
+            edge.drag_by -= edge_slope_ * step_.separation_by;
     }
     /// Points between \p a and \p b: where the trial leaves or enters the cone, and others where it slips and turns.
     void between(const Point& a, const Point& b) {
@@ -197,9 +258,8 @@ private:
     void cross_beyond(const Point& last) {
         if (!slips(last)) return;
         Point point = last;
-        point.level = (std::min)(separation_ + last.drag.norm() / cone_, (std::numeric_limits<T>::max)());
+        point.level = (std::min)(step_.separation + last.drag.norm() / cone_, (std::numeric_limits<T>::max)());
         point.level_by.setZero();
-        point.drag_by.col(0).setZero();
         meet_cone(point, Vector::Zero());
         add(point);
     }
@@ -208,43 +268,74 @@ private:
         const Vector along = point.drag.normalized();
         const T steeper = along.dot(slope) - cone_;
         if (!(std::abs(steeper) > rounding * cone_)) return;
-        point.level_by = -along.transpose() * point.drag_by;
-        point.level_by[0] -= cone_;
-        point.level_by /= steeper;
+        point.level_by = (-along.transpose() * point.drag_by - cone_ * step_.separation_by) / steeper;
         point.drag_by += slope * point.level_by;
     }
 
-    /// Distance of point \p i from the line between \p before and the next one.
-    [[nodiscard]] T bend(int before, int i) const {
-        const Point &a = points_[before], &point = points_[i];
-        if (i + 1 == count_) return (point.drag - a.drag).norm();
-        const Point& b = points_[i + 1];
-        const T length = b.level - a.level;
-        if (!(length > 0)) return 0;
-        return (point.drag - a.drag - (b.drag - a.drag) * ((point.level - a.level) / length)).norm();
+    /// How far a point is from the line between two others: the drag, and its derivatives.
+    struct Bend {
+        T drag, by;
+    };
+    /// Of point \p i, between \p before and \p after; past the last point, null, the drag is constant.
+    [[nodiscard]] Bend bend(const Point& a, const Point& point, const Point* after, bool with_derivatives) const {
+        const T length = after ? after->level - a.level : T(0);
+        if (after && !(length > 0)) return {};
+        const T t = after ? (point.level - a.level) / length : T(0);
+        const Vector rise = after ? Vector(after->drag - a.drag) : Vector(Vector::Zero());
+        Bend found{(point.drag - a.drag - t * rise).norm(), 0};
+        if (!with_derivatives) return found;
+        const Vector slope = after ? Vector(rise / length) : rise;
+        const auto still = [&slope](const Point& at) { return (at.drag_by - slope * at.level_by).eval(); };
+        auto off = (still(point) - (1 - t) * still(a)).eval();
+        if (after) off -= t * still(*after);
+        found.by = off.norm();
+        return found;
     }
-    void drop_straight() {
-        int kept = 1;
-        for (int i = 1; i < count_; ++i)
-            if (points_[i].level > points_[kept - 1].level && bend(kept - 1, i) > straight * bound(points_[i].level))
-                points_[kept++] = points_[i];  // far apart the cone is narrower than the rounding of its levels
-        count_ = kept;
-    }
-    template <class Pressure>
-    void drop_lightest(const Pressure& pressure) {
-        int lightest = 1;
-        T least = std::numeric_limits<T>::infinity();
+    /// The points that the memory needs, in `kept_`.
+    void keep_bends(bool with_derivatives) {
+        T scale{};
+        for (int i = 0; with_derivatives && i < count_; ++i) scale = (std::max)(scale, points_[i].drag_by.norm());
+        kept_count_ = 0;
+        kept_[kept_count_++] = 0;
         for (int i = 1; i < count_; ++i) {
-            const T further = i + 1 < count_ ? pressure(points_[i + 1].level) : T(0);
-            const T weight = bend(i - 1, i) * (pressure(points_[i - 1].level) - further);
-            if (weight < least) least = weight, lightest = i;
+            const Point &last = points_[kept_[kept_count_ - 1]], &point = points_[i];
+            if (!(point.level > last.level)) continue;
+            const Bend off = bend(last, point, i + 1 < count_ ? &points_[i + 1] : nullptr, with_derivatives);
+            if (off.drag > straight * bound(point.level) || off.by > straight * scale)
+                kept_[kept_count_++] = i;  // far apart the cone is narrower than the rounding of its levels
         }
-        std::move(points_ + lightest + 1, points_ + count_, points_ + lightest);
-        --count_;
+    }
+    /// Lets those go that change the traction least, until there is room.
+    void keep_heaviest(bool with_derivatives) {
+        if (kept_count_ - 1 <= State::capacity) return;
+        Bend weights[std::size_t{most}];
+        const auto weigh = [&](int i) {
+            const Point &a = points_[kept_[i - 1]], &point = points_[kept_[i]];
+            const Point* after = i + 1 < kept_count_ ? &points_[kept_[i + 1]] : nullptr;
+            const Bend off = bend(a, point, after, with_derivatives);
+            const T load = a.pressure - (after ? after->pressure : T(0));
+            weights[i] = {off.drag > straight * bound(point.level) ? off.drag * load : T(0), off.by * load};
+        };
+        for (int i = 1; i < kept_count_; ++i) weigh(i);
+        while (kept_count_ - 1 > State::capacity) {
+            int lightest = 1;
+            for (int i = 2; i < kept_count_; ++i)
+                if (weights[i].drag < weights[lightest].drag ||
+                    (weights[i].drag == weights[lightest].drag && weights[i].by < weights[lightest].by))
+                    lightest = i;
+            std::copy(kept_ + lightest + 1, kept_ + kept_count_, kept_ + lightest);
+            std::copy(weights + lightest + 1, weights + kept_count_, weights + lightest);
+            --kept_count_;
+            if (lightest > 1) weigh(lightest - 1);
+            if (lightest < kept_count_) weigh(lightest);
+        }
     }
 
-    T separation_, cone_;
-    int tries_ = 0, count_ = 0;
+    Step step_;
+    T cone_;
+    Vector edge_slope_;
+    int tries_ = 0, count_ = 0, kept_count_ = 0;
+    int kept_[std::size_t{most}];
     Point tried_[std::size_t{most_tried}], points_[std::size_t{most}];
 };
 

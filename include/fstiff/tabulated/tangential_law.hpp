@@ -140,14 +140,15 @@ public:
         T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where all sticks
     };
 
-    /// \throws domain_error for an empty law, one whose K is not -dp/dd, and numbers that are not positive.
+    /// Without \p friction, 0, there is no traction. \throws domain_error for an empty law, one whose K is not -dp/dd, a
+    /// negative friction and a ratio that is not positive.
     TangentialLaw(const ContactLaw<T>& law, T friction, T ratio)
         : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)),
           friction_(friction),
           ratio_(ratio),
           widening_(ratio / friction),
           closest_(law.outside() == OutsideRange::refuse ? law.separations()[0] : -std::numeric_limits<T>::infinity()) {
-        detail::require_positive("friction", friction);
+        detail::require(friction >= 0 && std::isfinite(friction), "friction", friction, "finite and 0 or greater");
         detail::require_positive("ratio", ratio);
         if (law.empty() || !law.stiffness_is_slope())
             detail::refuse("law", law.empty() ? "empty" : "of a K that is not -dp/dd",
@@ -163,6 +164,7 @@ public:
     [[nodiscard]] FirstSlip first_slip(T separation, T slip) const {
         detail::require(slip >= 0, "slip", slip, "0 or greater");
         require_in_range(separation);
+        if (friction_ == 0) return {};
         const auto stuck = law_.tangent_at_separation(separation + widening_ * slip);
         return {friction_ * (law_.pressure_at_separation(separation) - stuck.pressure), ratio_ * stuck.slope};
     }
@@ -171,8 +173,9 @@ public:
     /// as first_slip.
     [[nodiscard]] Cycle cycle(T separation, T amplitude) const {
         detail::require(amplitude >= 0, "amplitude", amplitude, "0 or greater");
-        const T width = widening_ * amplitude;
         const T traction = first_slip(separation, amplitude).traction;
+        if (friction_ == 0) return {};
+        const T width = widening_ * amplitude;
         const T lost = 4 * friction_ * friction_ / ratio_ * (std::max)(excess(separation, width), T(0));
         return {lost, traction > 0 && lost > 0 ? lost / (std::numbers::pi_v<T> * traction * amplitude) : T(0)};
     }
@@ -184,14 +187,34 @@ public:
     Response<Directions> step(const SlipState<T, Directions>& before, T separation,
                               const std::type_identity_t<Vector<Directions>>& slip,
                               SlipState<T, Directions>& after) const {
-        constexpr T most = (std::numeric_limits<T>::max)();
-        detail::require(std::abs(separation) <= most, "separation", separation, "finite");
-        for (int i = 0; i < Directions; ++i) detail::require(std::abs(slip[i]) <= most, "slip", slip[i], "finite");
-        require_in_range(separation);
-        detail::SlipPath<T, Directions> path(before, separation, slip, friction_ / ratio_);
-        const Response<Directions> result = response(path);
-        path.remember(after, [this](T level) { return law_.pressure_at_separation(level); });
+        using Step = detail::SlipStep<T, Directions, Directions + 1>;
+        Step to{separation, slip, Step{}.separation_by.Zero(), Step{}.slip_by.Zero()};
+        to.separation_by[0] = -1, to.slip_by.template rightCols<Directions>().setIdentity();
+        const auto found = moved<Directions + 1>(before, nullptr, to, after, nullptr);
+        Response<Directions> result{found.pressure, found.traction, {}};
+        result.tangent << found.pressure_by, found.traction_by;
         return result;
+    }
+
+    /// p, q and their derivatives by numbers that the whole motion depends on.
+    template <int Directions, int Columns>
+    struct MotionResponse {
+        T pressure;                                              ///< [Pa]
+        Vector<Directions> traction;                             ///< q [Pa]
+        Eigen::Matrix<T, 1, Columns> pressure_by;                ///< dp of each number
+        Eigen::Matrix<T, Directions, Columns> traction_by;       ///< dq of each number
+    };
+    /// step() whose separation and slip have the derivatives \p separation_by and \p slip_by by some numbers, such as
+    /// the amplitudes of harmonics; \p by are those of the memory, before and after, 0 before any slip. They are carried
+    /// through stick and slip, so that those of p and q are of all steps. They are exact where the memory has room:
+    /// of more than SlipState::capacity nodes those go that change the traction least.
+    template <int Directions, int Columns>
+    MotionResponse<Directions, Columns> step(SlipState<T, Directions>& state, T separation,
+                                             const std::type_identity_t<Vector<Directions>>& slip,
+                                             SlipDerivatives<T, Directions, Columns>& by,
+                                             const Eigen::Matrix<T, 1, Columns>& separation_by,
+                                             const Eigen::Matrix<T, Directions, Columns>& slip_by) const {
+        return moved<Columns>(state, &by, {separation, slip, separation_by, slip_by}, state, &by);
     }
 
     /// Energy stored in tangential displacement [J/m^2], in addition to normal().energy(separation).
@@ -216,32 +239,56 @@ private:
             detail::refuse("separation", separation,
                            "at least " + detail::shortest_text(closest_) + ", where the table ends");
     }
-    template <int Directions>
-    [[nodiscard]] Response<Directions> response(const detail::SlipPath<T, Directions>& path) const {
-        Response<Directions> sum;
+    template <int Columns, int Directions>
+    MotionResponse<Directions, Columns> moved(const SlipState<T, Directions>& before,
+                                              const std::type_identity_t<SlipDerivatives<T, Directions, Columns>>* before_by,
+                                              const detail::SlipStep<T, Directions, Columns>& to,
+                                              SlipState<T, Directions>& after,
+                                              std::type_identity_t<SlipDerivatives<T, Directions, Columns>>* after_by) const {
+        constexpr T most = (std::numeric_limits<T>::max)();
+        detail::require(std::abs(to.separation) <= most, "separation", to.separation, "finite");
+        for (const T s : to.slip) detail::require(std::abs(s) <= most, "slip", s, "finite");
+        require_in_range(to.separation);
+        if (friction_ == 0) {
+            after = {.separation = to.separation};
+            if (after_by) *after_by = {};
+            const auto [pressure, slope] = law_.tangent_at_separation(to.separation);
+            return {pressure, Vector<Directions>::Zero(), -slope * to.separation_by,
+                    Eigen::Matrix<T, Directions, Columns>::Zero()};
+        }
+        detail::SlipPath<T, Directions, Columns> path(before, before_by, to, friction_ / ratio_);
+        path.evaluate([this](T level) {
+            const auto [pressure, slope] = law_.tangent_at_separation(level);
+            return std::pair(pressure, slope);
+        });
+        const auto result = response(path, to);
+        path.remember(after, after_by);
+        return result;
+    }
+    template <int Directions, int Columns>
+    [[nodiscard]] MotionResponse<Directions, Columns> response(
+        const detail::SlipPath<T, Directions, Columns>& path,
+        const detail::SlipStep<T, Directions, Columns>& to) const {
+        MotionResponse<Directions, Columns> sum;
+        const auto& edge = *path.begin();
+        sum.pressure = edge.pressure;
+        sum.pressure_by = -edge.slope * to.separation_by;
         sum.traction.setZero();
-        sum.tangent.setZero();
-        auto last = law_.tangent_at_separation(path.begin()->level);
-        sum.pressure = last.pressure;
-        sum.tangent(0, 0) = last.slope;
-        auto by_inputs = sum.tangent.template bottomRows<Directions>();
-        by_inputs = last.slope * path.begin()->drag_by;  // not 0 where nothing slips
+        sum.traction_by = edge.slope * edge.drag_by;  // not 0 where nothing slips
         for (auto a = path.begin(), b = a + 1; b != path.end(); a = b++) {
-            const auto next = law_.tangent_at_separation(b->level);
             const T length = b->level - a->level;
             // the mean slope of p between both; where that would cancel, of their slopes
-            const T mean = length * last.slope > T(1e-6) * last.pressure ? (last.pressure - next.pressure) / length
-                                                                         : (last.slope + next.slope) / 2;
+            const T mean = length * a->slope > T(1e-6) * a->pressure ? (a->pressure - b->pressure) / length
+                                                                     : (a->slope + b->slope) / 2;
             const Vector<Directions> rise = b->drag - a->drag;
             sum.traction += mean * rise;
-            by_inputs += mean * (b->drag_by - a->drag_by);
+            sum.traction_by += mean * (b->drag_by - a->drag_by);
             if (length > 0)
-                by_inputs += rise / length * ((mean - last.slope) * a->level_by + (next.slope - mean) * b->level_by);
-            last = next;
+                sum.traction_by +=
+                    rise / length * ((mean - a->slope) * a->level_by + (b->slope - mean) * b->level_by);
         }
         sum.traction *= ratio_;
-        by_inputs *= ratio_;
-        by_inputs.col(0) *= -1;
+        sum.traction_by *= ratio_;
         return sum;
     }
     /// (p + p*) width - 2 (E - E*). Where that would cancel, the integral of (width - 2 t) K(d + t) by four points of
