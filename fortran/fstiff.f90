@@ -60,6 +60,17 @@ module fstiff
         real(c_double) :: separation = 0, levels(FSTIFF_SLIP_LEVELS) = 0, drags(2, FSTIFF_SLIP_LEVELS) = 0
         integer(c_int) :: count = 0
     end type
+    ! Row after row, as C has them: motion_by(direction, 3, step), tangents(3, 3, step, contact), responses_by as these.
+    type, bind(c) :: fstiff_motion
+        integer(c_size_t) :: size = 104
+        integer(c_size_t) :: contacts = 0, steps = 0
+        type(c_ptr) :: separations = c_null_ptr, slips = c_null_ptr
+        integer(c_size_t) :: directions = 0
+        type(c_ptr) :: motion_by = c_null_ptr
+        integer(c_int) :: by_of_each = 0
+        type(c_ptr) :: states = c_null_ptr
+        type(c_ptr) :: pressures = c_null_ptr, tractions = c_null_ptr, tangents = c_null_ptr, responses_by = c_null_ptr
+    end type
     type, bind(c) :: fstiff_measure_options
         integer(c_size_t) :: size = 80
         type(c_ptr) :: detrend = c_null_ptr
@@ -157,6 +168,17 @@ module fstiff
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
         end function
+        function fstiff_answer_law_after(joint, pressures, count, quantile, greatest_pressure, min_pressure, max_pressure, &
+            outside, made) bind(c) result(status)
+            import
+            type(fstiff_joint), intent(in) :: joint
+            real(c_double), intent(in) :: pressures(*)
+            integer(c_size_t), value :: count
+            real(c_double), value :: quantile, greatest_pressure, min_pressure, max_pressure
+            integer(c_int), value :: outside
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
         function fstiff_contact_make(law, joint, made) bind(c) result(status)
             import
             character(kind=c_char), intent(in) :: law(*)
@@ -196,6 +218,13 @@ module fstiff
             type(c_ptr), value :: contact
             real(c_double), value :: min_pressure, max_pressure
             integer(c_int), value :: outside
+            type(c_ptr), intent(out) :: made
+            integer(c_int) :: status
+        end function
+        function fstiff_law_after(first_loading, greatest_pressure, relative_hardness, made) bind(c) result(status)
+            import
+            type(c_ptr), value :: first_loading
+            real(c_double), value :: greatest_pressure, relative_hardness
             type(c_ptr), intent(out) :: made
             integer(c_int) :: status
         end function
@@ -316,6 +345,13 @@ module fstiff
             real(c_double), intent(in) :: slip(2)
             type(fstiff_slip), intent(inout) :: after
             real(c_double), intent(inout) :: pressure, traction(2), tangent(3, 3)
+            integer(c_int) :: status
+        end function
+        function fstiff_friction_motion(frictions, laws, motion) bind(c) result(status)
+            import
+            type(c_ptr), intent(in) :: frictions(*)
+            integer(c_size_t), value :: laws
+            type(fstiff_motion), intent(in) :: motion
             integer(c_int) :: status
         end function
         function fstiff_friction_stored_energy(friction, slip, energy) bind(c) result(status)

@@ -129,6 +129,18 @@ FSTIFF_API int fstiff_law_make(const fstiff_contact* contact, double min_pressur
  * the time of fstiff_answer() and 0.6 ms; a look-up takes some nanoseconds. */
 FSTIFF_API int fstiff_answer_law(const fstiff_joint* joint, const double* pressures, size_t count, double quantile,
                                  double min_pressure, double max_pressure, int outside, fstiff_law** made);
+/** The law of fstiff_answer() for a joint that has carried greatest_pressure [Pa]: reversible below it, along the first
+ * loading above, with which it shares separations; friction takes it. 0: the law of the first loading itself, by which a
+ * joint is tightened. Of an elastic answer both are fstiff_answer_law(). Of a joint whose own greatest_pressure is not 0
+ * it is that pressure, and one of `pressures`. The rest as fstiff_answer_law(). */
+FSTIFF_API int fstiff_answer_law_after(const fstiff_joint* joint, const double* pressures, size_t count,
+                                       double quantile, double greatest_pressure, double min_pressure,
+                                       double max_pressure, int outside, fstiff_law** made);
+/** The same of a law of one contact: an elastic one is its own law after any load. relative_hardness is H/(E g), g the
+ * rms gradient of both faces; 0: not known. FSTIFF_REFUSED for a pressure outside of the law or at its least one, and
+ * for a law of a K that is neither -dp/dd nor that of unloading (tabulated/law_after.hpp). */
+FSTIFF_API int fstiff_law_after(const fstiff_law* first_loading, double greatest_pressure, double relative_hardness,
+                                fstiff_law** made);
 /** The law that fstiff_law_text wrote (or ContactLaw::to_text), bit for bit; length bytes. */
 FSTIFF_API int fstiff_law_of_text(const char* text, size_t length, fstiff_law** made);
 /** The law as text. *length becomes its length without the closing 0. buffer of `capacity` bytes takes text and closing
@@ -196,7 +208,7 @@ typedef struct fstiff_slip {
 /** K_t/K_n of elastic contacts that stick, by Mindlin, from Young's moduli [Pa] and Poisson's ratios of both bodies. */
 FSTIFF_API int fstiff_tangential_ratio(double modulus1, double poisson1, double modulus2, double poisson2,
                                        double* ratio);
-/** law with the coefficient of friction `friction` and K_t/K_n `ratio`, both > 0. It does not need the law again, and
+/** law with the coefficient of friction `friction`, >= 0, and K_t/K_n `ratio`, > 0. It does not need the law again, and
  * continues it outside its range as FSTIFF_OUTSIDE_EXTRAPOLATE. */
 FSTIFF_API int fstiff_friction_make(const fstiff_law* law, double friction, double ratio, fstiff_friction** made);
 FSTIFF_API void fstiff_friction_free(fstiff_friction* friction);
@@ -216,6 +228,25 @@ FSTIFF_API int fstiff_friction_cycle(const fstiff_friction* friction, double sep
 FSTIFF_API int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* before, double separation,
                                     const double slip[2], fstiff_slip* after, double* pressure, double traction[2],
                                     double tangent[9]);
+/** What many contacts go through, contact after contact and step after step, and what they answer. */
+typedef struct fstiff_motion {
+    size_t size; /**< sizeof(fstiff_motion) */
+    size_t contacts, steps;
+    const double* separations; /**< at the end of each step [m] */
+    const double* slips;       /**< of each step, two numbers [m] */
+    size_t directions;         /**< numbers that the motion depends on, such as amplitudes of harmonics; 0: none */
+    const double* motion_by;   /**< d(-d, s1, s2) of each step, three rows of `directions` */
+    int by_of_each;            /**< 0: motion_by is that of every contact; else of each of them */
+    fstiff_slip* states;       /**< before and, after the call, behind the motion; NULL: nothing has slipped before */
+    double* pressures;         /**< p [Pa] */
+    double* tractions;         /**< q, two numbers a step [Pa] */
+    double* tangents;          /**< as of fstiff_friction_step(), nine numbers a step: of that step alone */
+    double* responses_by;      /**< d(p, q1, q2) of each step by the directions, of the whole motion */
+} fstiff_motion;
+/** A motion of contacts of `frictions`, one for all of them, laws = 1, or one for each. Results but responses_by may be
+ * NULL; a call that fails leaves all of them alone. */
+FSTIFF_API int fstiff_friction_motion(const fstiff_friction* const* frictions, size_t laws,
+                                      const fstiff_motion* motion);
 /** Energy stored by tangential displacement [J/m^2], in addition to fstiff_law_energy(). */
 FSTIFF_API int fstiff_friction_stored_energy(const fstiff_friction* friction, const fstiff_slip* slip, double* energy);
 

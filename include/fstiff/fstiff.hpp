@@ -144,6 +144,7 @@
 #include <fstiff/tabulated/mean_over_shifts.hpp>
 #include <fstiff/tabulated/slip_path.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/tabulated/slip_motion.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 #include <fstiff/measure/concerns.hpp>

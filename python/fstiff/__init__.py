@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from ._answer import Answer
 from ._answers import answer
-from ._contacts import Contact, Law, Points, effective_modulus, hybrid, law_names, spot_conductance, tangential_ratio
+from ._contacts import Contact, Law, Laws, Points, effective_modulus, hybrid, law_names, spot_conductance, tangential_ratio
 from ._core import version as __version__
 from ._errors import FileError
 from ._integrals import Estimate, peak_integral
@@ -30,8 +30,8 @@ from ._surfaces import Fit, Islands, Measurement, Parameter, Scales, Surface, Tr
 from ._sweeps import sweep
 
 __all__ = [
-    "Answer", "Contact", "Curves", "Estimate", "Export", "FileError", "Fit", "Identification", "Islands", "Law", "Measurement",
-    "Parameter", "Points", "Scales", "Scene", "Spectrum", "Surface", "Truth", "Ultrasound", "__version__",
+    "Answer", "Contact", "Curves", "Estimate", "Export", "FileError", "Fit", "Identification", "Islands", "Law", "Laws",
+    "Measurement", "Parameter", "Points", "Scales", "Scene", "Spectrum", "Surface", "Truth", "Ultrasound", "__version__",
     "answer", "effective_modulus", "export", "fit", "generate", "hybrid", "identify", "islands", "law_names", "measure",
     "open_surface", "peak_integral", "report", "run", "spectrum", "spot_conductance", "sweep", "tangential_ratio", "truth",
     "ultrasound",

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._contacts import Law
+from ._contacts import Law, laws_of, pressures_before
 from ._errors import word
 from ._results import Columns, count_of, draw, frame, heading, lines_of, number, shown, shown_rows, text_table
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
-    from ._contacts import Outside
+    from ._contacts import Laws, Outside
     from ._results import Numbers
 
 KEYS = ("pressure_Pa", "stiffness_Pa_per_m", "stiffness_p05_Pa_per_m", "stiffness_p95_Pa_per_m")
@@ -49,7 +49,7 @@ class Answer(Columns):
         self,
         values: dict[str, npt.NDArray[Any]],
         causes: dict[str, npt.NDArray[Any]],
-        rms_heights: Any,
+        of_laws: dict[str, dict[str, Any]],
         doubtful: Any,
         reasons: Mapping[tuple[int, ...], str] | None = None,
         concerns: list[list[str]] | None = None,
@@ -60,7 +60,7 @@ class Answer(Columns):
         self.reasons: dict[tuple[int, ...], str] = dict(reasons or {})
         self.concerns: list[list[str]] = concerns or []
         self.doubtful: npt.NDArray[np.bool_] = np.asarray(doubtful, dtype=bool)
-        self._rms_heights = np.asarray(rms_heights, dtype=np.float64)
+        self._of_laws = of_laws
 
     @classmethod
     def of_scene(cls, found: dict[str, Any], document: dict[str, Any]) -> Answer:
@@ -72,7 +72,8 @@ class Answer(Columns):
         values = {key: np.asarray([row.get(key, np.nan) for row in rows]) for key in keys}
         names = dict.fromkeys(name for row in rows for name in row["causes"])
         causes = {name: np.asarray([row["causes"].get(name, 0.0) for row in rows]) for name in names}
-        answer = cls(values, causes, found["rms_height"], found["doubtful"])
+        of_laws = found["of_laws"] | {"facts": {key: column.reshape(()) for key, column in found["of_laws"]["facts"].items()}}
+        answer = cls(values, causes, of_laws, found["doubtful"])
         answer.rows, answer.ball, answer._table = rows, document.get("ball", []), found["answer_table"]
         answer.explanation, answer.outside_band = document["explanation"], document["outside_band"]
         return answer
@@ -107,23 +108,69 @@ class Answer(Columns):
         count from that at max_pressure: only their differences are those of the joint. Fewer than two pressures with a K, another
         quantile, a greater range and a K that does not rise raise ValueError.
         """
+        return Law(self._laws([], quantile, min_pressure, max_pressure, joint, outside)[0])
+
+    def loading_law(
+        self,
+        quantile: float = 0.5,
+        min_pressure: float | None = None,
+        max_pressure: float | None = None,
+        *,
+        joint: int | tuple[int, ...] = (),
+        outside: Outside = "refuse",
+    ) -> Law:
+        """The law of the first loading, by which a joint is tightened: p over the separation, and K of unloading from it; as law_at() else."""
+        return Law(self._laws([0.0], quantile, min_pressure, max_pressure, joint, outside)[0])
+
+    def law_after(
+        self,
+        greatest_pressure: npt.ArrayLike,
+        quantile: float = 0.5,
+        min_pressure: float | None = None,
+        max_pressure: float | None = None,
+        *,
+        joint: int | tuple[int, ...] = (),
+        outside: Outside = "refuse",
+    ) -> Law | Laws:
+        """The law of a joint that has carried `greatest_pressure` [Pa]: reversible below it, along loading_law() above; as law_at() else.
+
+        Of an array one law for each pressure, as Laws: of the elements of a mesh, from their prestress by loading_law(), with which they
+        share separations. Friction takes them. Of an elastic answer each is law_at(). A map is asked with its greatest_pressure, which
+        boundary elements then flatten; it is that of the law, and one of the pressures.
+        """
+        greatest = pressures_before(greatest_pressure)
+        if not all(p > 0 for p in greatest):
+            raise ValueError("greatest_pressure: must be greater than 0")
+        return laws_of(self._laws(greatest, quantile, min_pressure, max_pressure, joint, outside), greatest_pressure)
+
+    def _laws(
+        self,
+        greatest: list[float],
+        quantile: float,
+        min_pressure: float | None,
+        max_pressure: float | None,
+        joint: int | tuple[int, ...],
+        outside: Outside,
+    ) -> list[_core.Law]:
         import numpy as np
 
+        points, facts = self._of_laws["points"], self._of_laws["facts"]
+        shape = facts["rms_height"].shape
         try:
-            height = self._rms_heights[joint]
+            of_joint = {key: column[joint] for key, column in facts.items()}
         except IndexError as error:
             raise ValueError(f"joint = {joint!r:.60}: {error}") from None
-        if np.ndim(height):
-            raise ValueError(f"joint: must be the index of one of the joints, whose shape is {self._rms_heights.shape}")
-        shape = (*self._rms_heights.shape, -1)
-        p, low, K, high = (np.ascontiguousarray(self[key].reshape(shape)[joint]) for key in (KEYS[0], KEYS[2], KEYS[1], KEYS[3]))
-        known = p[~np.isnan(K)]
-        least, greatest = (known.min(), known.max()) if known.size else (np.nan, np.nan)
+        if np.ndim(of_joint["rms_height"]):
+            raise ValueError(f"joint: must be the index of one of the joints, whose shape is {shape}")
+        rows = {key: np.ascontiguousarray(column.reshape(*shape, -1)[joint]) for key, column in points.items()}
+        known = rows["pressure"][~np.isnan(rows["value"])]
+        least, most = (known.min(), known.max()) if known.size else (np.nan, np.nan)
         bounds = (
             number(least if min_pressure is None else min_pressure, "min_pressure"),
-            number(greatest if max_pressure is None else max_pressure, "max_pressure"),
+            number(most if max_pressure is None else max_pressure, "max_pressure"),
         )
-        return Law(_core.Law.of_answer(p, low, K, high, float(height), number(quantile, "quantile"), *bounds, word(outside, "outside")))
+        numbers_of = {key: float(value) for key, value in of_joint.items()}
+        return _core.Law.of_answer(rows, numbers_of, greatest, number(quantile, "quantile"), *bounds, word(outside, "outside"))
 
     def to_dataframe(self) -> pd.DataFrame:
         """The columns as a data frame of pandas, one row for each joint and pressure."""

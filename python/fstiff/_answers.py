@@ -80,8 +80,11 @@ def _of_joints(found: dict[str, Any], p: Numbers, joints: tuple[int, ...], area:
             values[f"stiffness{end}_N_per_m"] = area * K
     values["law"] = shaped(found["laws"])
     reasons = {tuple(int(i) for i in np.unravel_index(place, shape)): reason for place, reason in found["reasons"].items()}
-    doubtful, heights = (np.asarray(found[key]).reshape(joints) for key in ("doubtful", "rms_heights"))
-    return Answer(values, causes, heights, doubtful, reasons, found["concerns"])
+    of_laws = {
+        "points": found["of_laws"]["points"],
+        "facts": {key: column.reshape(joints) for key, column in found["of_laws"]["facts"].items()},
+    }
+    return Answer(values, causes, of_laws, np.asarray(found["doubtful"]).reshape(joints), reasons, found["concerns"])
 
 
 def answer(

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
 from . import _core
 from ._errors import word, words
 from ._numbers import FACE, require_known, with_names
-from ._results import Columns, Shown, count_of, draw, frame, number, numbers, shown, shown_rows, text_table, with_unit
+from ._results import Columns, Shown, count_of, draw, frame, number, numbers, shown, shown_rows, text_table, whole, with_unit
 from ._surfaces import Measurement, measure, measured_of, warn_of_height
 
 if TYPE_CHECKING:
@@ -168,6 +168,18 @@ class Contact(Shown):
         ends = number(min_pressure, "min_pressure"), number(max_pressure, "max_pressure")
         return Law(self._core.tabulate(*ends, word(outside, "outside")))
 
+    def law_after(
+        self, greatest_pressure: npt.ArrayLike, min_pressure: float, max_pressure: float, outside: Outside = "refuse"
+    ) -> Law | Laws:
+        """The law of the contact once it has carried `greatest_pressure` [Pa]: reversible below it, along the first loading above.
+
+        Of an array one law for each pressure, as Laws. What flowed stays flat, so that friction takes the law; an elastic contact has
+        the law of tabulate(). They share the separations of tabulate(), by which the contact was loaded. `outside` is any but "exact".
+        """
+        ends = number(min_pressure, "min_pressure"), number(max_pressure, "max_pressure")
+        made = self._core.laws_after(pressures_before(greatest_pressure), *ends, word(outside, "outside"))
+        return laws_of(made, greatest_pressure)
+
     def sensitivity(self, pressure: float) -> dict[str, float]:
         """dK/dx [Pa/m per SI unit of x] at constant `pressure` [Pa], for "pressure" and each number that the contact was made of.
 
@@ -207,13 +219,14 @@ def _list(quantities: Sequence[str] | None) -> list[str] | None:
 
 
 class Path(NamedTuple):
-    """What Law.path() returns, in the shape of its steps."""
+    """What path() returns, in the shape of its steps; of contacts with an area in N and N/m."""
 
     pressure: Numbers  #: p [Pa]
     traction: Numbers  #: q, two numbers a step [Pa]
-    tangent: Numbers  #: d(p, q)/d(-separation, slip), three rows a step [Pa/m], for Newton's method
-    energy: float  #: stored in the tangential displacement at the end [J/m^2], in addition to Law.energy()
-    after: _core.Slip  #: memory of the contact at the end; it can be pickled
+    tangent: Numbers  #: d(p, q)/d(-separation, slip), three rows a step [Pa/m]: of that step alone, without those before it
+    by_directions: Numbers  #: d(p, q) by each of `directions`, three rows a step: of all steps, exact where something slips too
+    energy: Any  #: stored in the tangential displacement at the end [J/m^2], in addition to energy(); of each contact
+    after: Any  #: memory of the contact at the end, of many a list; it can be pickled
 
 
 class Law(Shown):
@@ -295,50 +308,35 @@ class Law(Shown):
         return _evaluated(self._core.energy, separation, "separation", None)[0]
 
     def first_slip(
-        self, separation: npt.ArrayLike, slip: npt.ArrayLike, *, friction: float, ratio: float
+        self, separation: npt.ArrayLike, slip: npt.ArrayLike, *, friction: npt.ArrayLike, ratio: npt.ArrayLike
     ) -> tuple[Numbers, Numbers]:
         """Traction q [Pa] and dq/ds [Pa/m] at a first tangential displacement `slip` [m], at the separation [m].
 
-        `friction` is the coefficient of friction, `ratio` is K_t/K_n: tangential_ratio(). Arrays are broadcast. Of elastic laws.
+        `friction` is the coefficient of friction, `ratio` is K_t/K_n: tangential_ratio(). Arrays are broadcast. Of elastic laws,
+        and of law_after().
         """
-        return self._slipped(self._core.first_slip, separation, slip, friction, ratio)
+        return _slipped(_core.first_slip, [self], separation, slip, friction, ratio)
 
     def cycle(
-        self, separation: npt.ArrayLike, amplitude: npt.ArrayLike, *, friction: float, ratio: float
+        self, separation: npt.ArrayLike, amplitude: npt.ArrayLike, *, friction: npt.ArrayLike, ratio: npt.ArrayLike
     ) -> tuple[Numbers, Numbers]:
         """Loss [J/m^2] and loss factor of a cycle of tangential displacements between -`amplitude` and `amplitude` [m]; as first_slip() else."""
-        return self._slipped(self._core.cycle, separation, amplitude, friction, ratio)
+        return _slipped(_core.slip_cycle, [self], separation, amplitude, friction, ratio)
 
-    def path(
-        self, separation: npt.ArrayLike, slip: npt.ArrayLike, *, friction: float, ratio: float, before: _core.Slip | None = None
-    ) -> Path:
-        """State after each of a sequence of straight steps, to a separation and by a tangential `slip`, two numbers [m]; as first_slip() else.
+    def path(self, separation: npt.ArrayLike, slip: npt.ArrayLike, **options: Any) -> Path:
+        """State after each of a sequence of straight steps, to a separation and by a tangential `slip`, two numbers [m].
 
-        `before` is the `after` of an earlier path, on which this one goes on; without it nothing has slipped at the first separation.
+        The last axis of `separation` is of the steps; those before it are contacts with this law. slip has two numbers more.
+
+        friction, ratio   as first_slip() takes them; of many contacts numbers, or one for each
+        preload     [Pa]; `separation` then counts from that under it, which opens by it
+        area        of each contact [m^2]: forces and their tangents in place of those per area
+        directions  d(-separation, slip) of each step by numbers that the whole motion depends on, such as amplitudes of harmonics: of
+                    the shape (..., steps, 3, numbers), for all contacts alike or for each. They begin with the first step
+        before      the `after` of an earlier path, on which this one goes on; without it nothing has slipped at the first separation
+        threads     of many contacts
         """
-        import numpy as np
-
-        slips = numbers(slip, "slip")
-        if not (slips.ndim and slips.shape[-1] == 2):
-            raise ValueError(f"slip: must have two numbers for each step, not the shape {slips.shape}")
-        d = numbers(separation, "separation")
-        steps = np.broadcast_shapes(d.shape, slips.shape[:-1])
-        d = np.ascontiguousarray(np.broadcast_to(d, steps))
-        if before is None:
-            before = _core.Slip(d.flat[0] if d.size else 0.0)
-        of = (number(friction, "friction"), number(ratio, "ratio"))
-        p, q, tangent, after = self._core.path(*of, before, d, np.ascontiguousarray(np.broadcast_to(slips, (*steps, 2))))
-        energy = self._core.stored_energy(*of, after)
-        return Path(p.reshape(steps), q.reshape(*steps, 2), tangent.reshape(*steps, 3, 3), energy, after)
-
-    def _slipped(
-        self, call: Callable[..., Sequence[Numbers]], separation: npt.ArrayLike, slip: npt.ArrayLike, friction: float, ratio: float
-    ) -> tuple[Numbers, Numbers]:
-        import numpy as np
-
-        both = np.broadcast_arrays(numbers(separation, "separation"), numbers(slip, "slip"))
-        first, second = call(number(friction, "friction"), number(ratio, "ratio"), *(np.ascontiguousarray(one) for one in both))
-        return first.reshape(both[0].shape), second.reshape(both[0].shape)
+        return _paths([self], separation, slip, **options)
 
     def plot(self, ax: Axes | None = None) -> Axes:
         """Draws K over the pressures of the table; returns the axes."""
@@ -359,6 +357,186 @@ class Law(Shown):
     def __repr__(self) -> str:
         low, high = (with_unit(p, "Pa") for p in self.pressures)
         return f"<fstiff.Law of {low} to {high}, relative error {shown(self.relative_error, 2)}, outside: {self.outside}>"
+
+
+class Laws(Shown):
+    """Laws of many contacts, as law_after() returns them: a sequence of Law, evaluated at once.
+
+    The first axis of every argument is of the contacts, one law each; else the methods are those of Law.
+    """
+
+    def __init__(self, laws: Iterable[Law]) -> None:
+        self._laws = list(laws)
+        if not (self._laws and all(isinstance(law, Law) for law in self._laws)):
+            raise ValueError("laws: must be laws, at least one")
+
+    def __len__(self) -> int:
+        return len(self._laws)
+
+    def __getitem__(self, index: int) -> Law:
+        return self._laws[index]
+
+    @property
+    def touch(self) -> Numbers:
+        """The separation of first touch of each [m]."""
+        import numpy as np
+
+        return np.array([law.touch for law in self._laws])
+
+    def separation(self, pressure: npt.ArrayLike) -> Numbers:
+        """Separation of the mean planes [m] at the pressure [Pa]."""
+        return self._rows("separation", pressure, "pressure")[0]
+
+    def stiffness(self, pressure: npt.ArrayLike) -> Numbers:
+        """K per area [Pa/m] at the pressure [Pa]."""
+        return self._rows("stiffness", pressure, "pressure")[0]
+
+    def energy(self, separation: npt.ArrayLike) -> Numbers:
+        """Energy per nominal area that each contact stores at the separation [J/m^2], from [m]."""
+        return self._rows("energy", separation, "separation")[0]
+
+    def tangent_at_separation(self, separation: npt.ArrayLike) -> tuple[Numbers, Numbers]:
+        """p [Pa] and -dp/dd [Pa/m] at the separation [m]: what Newton's method needs."""
+        pressure, slope = self._rows("tangent", separation, "separation")
+        return pressure, slope
+
+    def first_slip(
+        self, separation: npt.ArrayLike, slip: npt.ArrayLike, *, friction: npt.ArrayLike, ratio: npt.ArrayLike
+    ) -> tuple[Numbers, Numbers]:
+        """As Law.first_slip()."""
+        return _slipped(_core.first_slip, self._laws, separation, slip, friction, ratio)
+
+    def cycle(
+        self, separation: npt.ArrayLike, amplitude: npt.ArrayLike, *, friction: npt.ArrayLike, ratio: npt.ArrayLike
+    ) -> tuple[Numbers, Numbers]:
+        """As Law.cycle()."""
+        return _slipped(_core.slip_cycle, self._laws, separation, amplitude, friction, ratio)
+
+    def path(self, separation: npt.ArrayLike, slip: npt.ArrayLike, **options: Any) -> Path:
+        """As Law.path(), of the shape (contacts, steps)."""
+        return _paths(self._laws, separation, slip, **options)
+
+    def _rows(self, what: str, argument: npt.ArrayLike, name: str) -> list[Numbers]:
+        values = numbers(argument, name)
+        if values.shape[:1] != (len(self),):
+            raise ValueError(f"{name}: must have {len(self)} rows, one for each law, not the shape {values.shape}")
+        return _core.law_rows([law._core for law in self._laws], what, values)
+
+    def __repr__(self) -> str:
+        return f"<fstiff.Laws: {len(self)}>"
+
+
+def laws_of(made: list[_core.Law], greatest: npt.ArrayLike) -> Law | Laws:
+    """Those after `greatest`: one, or of an array of one axis one for each."""
+    laws = [Law(one) for one in made]
+    return Laws(laws) if numbers(greatest, "greatest_pressure").ndim else laws[0]
+
+
+def pressures_before(greatest_pressure: npt.ArrayLike) -> list[float]:
+    values = numbers(greatest_pressure, "greatest_pressure")
+    if values.ndim > 1 or not values.size:
+        raise ValueError(f"greatest_pressure: must be one pressure or an array of one axis, not of the shape {values.shape}")
+    return [float(p) for p in values.ravel()]
+
+
+def _of_contacts(values: npt.ArrayLike, name: str, contacts: int) -> Numbers:
+    """One number, or one for each contact."""
+    import numpy as np
+
+    given = numbers(values, name)
+    if given.ndim > 1 or given.size not in (1, contacts):
+        raise ValueError(f"{name}: must be one number or {contacts}, one for each contact, not of the shape {given.shape}")
+    return np.ascontiguousarray(given.ravel())
+
+
+def _slipped(
+    call: Callable[..., Sequence[Numbers]],
+    laws: list[Law],
+    separation: npt.ArrayLike,
+    slip: npt.ArrayLike,
+    friction: npt.ArrayLike,
+    ratio: npt.ArrayLike,
+) -> tuple[Numbers, Numbers]:
+    import numpy as np
+
+    both = np.broadcast_arrays(numbers(separation, "separation"), numbers(slip, "slip"))
+    shape = both[0].shape
+    several = max(len(laws), *(numbers(values, name).size for values, name in ((friction, "friction"), (ratio, "ratio"))))
+    if several > 1 and shape[:1] != (several,):
+        raise ValueError(f"separation: must have {several} rows, one for each contact, not the shape {shape}")
+    of = (_of_contacts(friction, "friction", several), _of_contacts(ratio, "ratio", several))
+    first, second = call([law._core for law in laws], *of, *(np.ascontiguousarray(one) for one in both))
+    return first.reshape(shape), second.reshape(shape)
+
+
+def _paths(
+    laws: list[Law],
+    separation: npt.ArrayLike,
+    slip: npt.ArrayLike,
+    *,
+    friction: npt.ArrayLike,
+    ratio: npt.ArrayLike,
+    preload: npt.ArrayLike | None = None,
+    area: npt.ArrayLike = 1.0,
+    directions: npt.ArrayLike | None = None,
+    before: Any = None,
+    threads: int = 1,
+) -> Path:
+    import numpy as np
+
+    slips, d = numbers(slip, "slip"), numbers(separation, "separation")
+    if not (slips.ndim and slips.shape[-1] == 2):
+        raise ValueError(f"slip: must have two numbers for each step, not the shape {slips.shape}")
+    try:
+        shape = np.broadcast_shapes(d.shape, slips.shape[:-1], (1,))
+    except ValueError:
+        raise ValueError(f"slip: its shape {slips.shape} does not go with the shape {d.shape} of separation") from None
+    leading, steps = shape[:-1], shape[-1]
+    contacts = int(np.prod(leading, dtype=int))
+    if len(laws) not in (1, contacts):
+        raise ValueError(f"separation: must be of {len(laws)} contacts, one for each law, not of the shape {shape}")
+    cores = [law._core for law in laws]
+    d = np.broadcast_to(d, shape).reshape(contacts, steps)
+    if preload is not None:
+        pressures = _of_contacts(preload, "preload", contacts)
+        at = [law.separation(float(p)) for law, p in zip(np.resize(np.array(laws, dtype=object), contacts), np.resize(pressures, contacts))]
+        d = d + np.asarray(at)[:, None]
+    d = np.ascontiguousarray(d)
+    given = np.zeros((steps, 3, 0)) if directions is None else numbers(directions, "directions")
+    of_each = given.ndim > 3
+    wanted = (*(leading if of_each else ()), steps, 3)
+    if given.ndim < 3 or given.shape[:-1] != wanted:
+        raise ValueError(f"directions: must be of the shape {(*wanted, 'numbers')}, not {given.shape}")
+    if before is None:
+        before = [_core.Slip(float(row[0]) if steps else 0.0) for row in d]
+    elif isinstance(before, _core.Slip):
+        before = [before]
+    if len(before) != contacts:
+        raise ValueError(f"before: must be of {contacts} contacts, as separation, not of {len(before)}")
+    of = (_of_contacts(friction, "friction", contacts), _of_contacts(ratio, "ratio", contacts))
+    s = np.ascontiguousarray(np.broadcast_to(slips, (*shape, 2)))
+    p, q, tangent, by, energy, after = _core.slip_paths(
+        cores, *of, contacts, list(before), d, s, np.ascontiguousarray(given), given.shape[-1], whole(threads, "threads", 1, 1024)
+    )
+    areas = _of_contacts(area, "area", contacts)
+    rows = areas.reshape(-1, 1) if np.any(areas != 1) else None
+
+    def shaped(values: Numbers, *more: int) -> Numbers:
+        if rows is not None:
+            of_contact = values.reshape(contacts, -1)
+            of_contact *= rows
+        return values.reshape(*shape, *more)
+
+    numbers_of = given.shape[-1]
+    total = energy * np.resize(areas, contacts)
+    return Path(
+        shaped(p),
+        shaped(q, 2),
+        shaped(tangent, 3, 3),
+        shaped(by, 3, numbers_of),
+        total.reshape(leading) if leading else float(total[0]),
+        after if leading else after[0],
+    )
 
 
 def _evaluated(

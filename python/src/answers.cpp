@@ -126,8 +126,8 @@ struct Columns {
     std::map<std::size_t, std::string> reasons{};
     std::vector<std::vector<std::string>> concerns{};
     std::vector<int> doubtful{};
-    std::vector<double> rms_heights{};  ///< NaN of a joint without a K
-    std::set<std::string> units{};      ///< sentences on numbers that are likely in another unit
+    LawColumns of_laws{};
+    std::set<std::string> units{};  ///< sentences on numbers that are likely in another unit
 
     double& at(const std::string& key, std::size_t place) {
         std::vector<double>& column = numbers[key];
@@ -169,7 +169,7 @@ struct Columns {
             if (std::string unit = fstiff::detail::sentence_of_unit(one); !unit.empty()) units.insert(std::move(unit));
         }
         doubtful.push_back(found.doubtful ? 1 : 0);
-        rms_heights.push_back(found.rms_height);
+        of_laws.put(found);
     }
     /// Joint \p i has no K at any pressure.
     void put(const std::string& reason, std::size_t i, std::span<const double> at_pressures) {
@@ -181,9 +181,45 @@ struct Columns {
         }
         concerns.emplace_back();
         doubtful.push_back(1);
-        rms_heights.push_back(none);
+        of_laws.put(at_pressures);
     }
 };
+
+}  // namespace
+
+void LawColumns::put(const Answer& found) {
+    for (const AnswerPoint& point : found.points) {
+        const bool ok = point.ok();
+        const WithBand K = ok ? point.of_faces() : WithBand{};
+        const auto& loading = point.faces ? point.loading_of_faces : point.loading_stiffness;
+        points["pressure"].push_back(point.pressure);
+        points["low"].push_back(K.low), points["value"].push_back(K.value), points["high"].push_back(K.high);
+        points["loading"].push_back(ok ? loading.value_or(none) : none);
+        points["separation"].push_back(ok ? point.state.separation.value : none);
+    }
+    facts["rms_height"].push_back(found.rms_height);
+    facts["relative_hardness"].push_back(found.flows ? found.relative_hardness.value_or(0) : none);
+    facts["greatest_pressure"].push_back(found.greatest_pressure.value_or(none));
+}
+
+void LawColumns::put(std::span<const double> pressures) {
+    for (const double p : pressures) {
+        points["pressure"].push_back(p);
+        for (const char* key : {"low", "value", "high", "loading", "separation"}) points[key].push_back(none);
+    }
+    for (const char* key : {"rms_height", "relative_hardness", "greatest_pressure"}) facts[key].push_back(none);
+}
+
+nb::dict LawColumns::take(std::size_t joints) const {
+    nb::dict of_points, of_joints, all;
+    for (const auto& [key, column] : points)
+        of_points[key.c_str()] = NewArray(column, {joints, joints > 0 ? column.size() / joints : 0}).take();
+    for (const auto& [key, column] : facts) of_joints[key.c_str()] = NewArray(column).take();
+    all["points"] = of_points, all["facts"] = of_joints;
+    return all;
+}
+
+namespace {
 
 nb::dict dict_of(Columns& columns) {
     nb::dict numbers, reasons, all;
@@ -192,7 +228,7 @@ nb::dict dict_of(Columns& columns) {
     for (const auto& [place, reason] : columns.reasons) reasons[nb::int_(place)] = reason;
     all["numbers"] = numbers, all["reasons"] = reasons;
     all["laws"] = columns.laws, all["concerns"] = columns.concerns, all["doubtful"] = columns.doubtful;
-    all["rms_heights"] = columns.rms_heights;
+    all["of_laws"] = columns.of_laws.take(columns.count);
     all["units"] = std::vector(columns.units.begin(), columns.units.end());
     return all;
 }

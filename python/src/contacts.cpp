@@ -5,12 +5,14 @@
 #include "actions/one_contact.hpp"
 
 #include <fstiff/answer/answer.hpp>
+#include <fstiff/answer/resolved_joint.hpp>
 #include <fstiff/asperity/conductance.hpp>
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/double/integrals.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
-#include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/tabulated/law_after.hpp>
+#include <fstiff/tabulated/slip_motion.hpp>
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
@@ -22,9 +24,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace fstiff {
 
@@ -188,44 +196,19 @@ std::vector<Out> each(const TabulatedLaw& law, const In& x, const Filled& filled
 
 using Friction = TangentialLaw<double>;
 
-/// Two numbers of what \p call of the law with friction gives at every separation and slip, arrays of one shape.
-template <auto call, auto first, auto second>
-std::vector<Out> slipped(const TabulatedLaw& law, double friction, double ratio, const In& separations,
-                         const In& slips) {
-    NewArray one(separations), other(separations);
-    {
-        const nb::gil_scoped_release free;
-        const Friction with(law, friction, ratio);
-        for (std::size_t i = 0; i < separations.size(); ++i) {
-            const auto at = (with.*call)(separations.data()[i], slips.data()[i]);
-            one.data()[i] = at.*first, other.data()[i] = at.*second;
-        }
-    }
-    return {one.take(), other.take()};
+/// Pieces on \p threads threads.
+ParallelHook on_threads(std::size_t threads) {
+    if (threads < 2) return {};
+    return [threads](std::size_t count, const std::function<void(std::size_t)>& run) {
+        std::vector<std::jthread> running;
+        for (std::size_t t = 0; t < threads; ++t)
+            running.emplace_back([&, t] {
+                for (std::size_t i = t; i < count; i += threads) run(i);
+            });
+    };
 }
 
 using Slip = SlipState<double, 2>;
-
-/// p, q and their derivatives after each step of a path from \p slip, which goes with it.
-nb::tuple moved(const TabulatedLaw& law, double friction, double ratio, Slip slip, const In& separations,
-                const In& slips) {
-    const std::size_t count = separations.size();
-    std::vector<double> pressures, tractions, tangents;
-    {
-        const nb::gil_scoped_release free;
-        const Friction with(law, friction, ratio);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto at =
-                with.step(slip, separations.data()[i], {slips.data()[2 * i], slips.data()[2 * i + 1]}, slip);
-            pressures.push_back(at.pressure);
-            tractions.insert(tractions.end(), at.traction.begin(), at.traction.end());
-            const auto rows = at.tangent.transpose().reshaped();
-            tangents.insert(tangents.end(), rows.begin(), rows.end());
-        }
-    }
-    return nb::make_tuple(NewArray(pressures).take(), NewArray(tractions, {count, 2}).take(),
-                          NewArray(tangents, {count, 3, 3}).take(), slip);
-}
 
 void add_slip(nb::module_& m) {
     using Kept = std::pair<double, std::vector<std::array<double, 3>>>;
@@ -246,24 +229,148 @@ void add_slip(nb::module_& m) {
         });
 }
 
-/// The law of an answer with K and the ends of its band at \p pressures, NaN where there is none.
-TabulatedLaw law_of_answer(const In& pressures, const In& low, const In& value, const In& high, double rms_height,
-                           double quantile, double min_pressure, double max_pressure, const std::string& outside) {
+/// The answer of one joint, as far as its laws need it.
+Answer answer_of(const std::map<std::string, In>& points, const std::map<std::string, double>& facts) {
+    const auto at = [&](const char* key, std::size_t i) { return points.at(key).data()[i]; };
+    const auto known = [](double x) { return std::isnan(x) ? std::nullopt : std::optional(x); };
     Answer answer;
-    answer.rms_height = rms_height;
-    for (std::size_t i = 0; i < pressures.size(); ++i)
-        if (const WithBand K{low.data()[i], value.data()[i], high.data()[i]}; !std::isnan(K.value))
-            answer.points.push_back({.pressure = pressures.data()[i], .stiffness = K});
-    const auto policy = from_name<OutsideRange>(outside, "outside");
+    answer.rms_height = facts.at("rms_height");
+    answer.relative_hardness = known(facts.at("relative_hardness"));
+    answer.flows = answer.relative_hardness.has_value();
+    answer.greatest_pressure = known(facts.at("greatest_pressure"));
+    for (std::size_t i = 0; i < points.at("pressure").size(); ++i) {
+        if (std::isnan(at("value", i))) continue;
+        AnswerPoint& point = answer.points.emplace_back();
+        point.pressure = at("pressure", i), point.stiffness = {at("low", i), at("value", i), at("high", i)};
+        point.loading_stiffness = known(at("loading", i));
+        point.state.separation.value = at("separation", i);
+    }
+    return answer;
+}
+
+/// Laws of an answer: after each of \p greatest, of the first loading for 0, and of its K where there is none.
+std::vector<TabulatedLaw> laws_of_answer(const std::map<std::string, In>& points,
+                                         const std::map<std::string, double>& facts,
+                                         const std::vector<double>& greatest, double quantile, double min_pressure,
+                                         double max_pressure, const std::string& outside) {
+    const Answer answer = answer_of(points, facts);
+    const LawRange<double> range{min_pressure, max_pressure, from_name<OutsideRange>(outside, "outside")};
     const nb::gil_scoped_release free;
-    return answer.law_at(quantile, {min_pressure, max_pressure, policy});
+    if (greatest.empty()) return {answer.law_at(quantile, range)};
+    std::vector<TabulatedLaw> laws;
+    const bool shared = answer.flows && !answer.greatest_pressure;
+    const TabulatedLaw loading = shared ? answer.loading_law(quantile, range) : TabulatedLaw();
+    for (const double p : greatest)
+        laws.push_back(shared && p != 0 ? law_after(loading, p, *answer.relative_hardness)
+                       : p == 0         ? answer.loading_law(quantile, range)
+                                        : answer.law_after(p, quantile, range));
+    return laws;
+}
+
+/// The laws of \p contact after each of \p greatest.
+std::vector<TabulatedLaw> laws_after(const OneContact& contact, const std::vector<double>& greatest,
+                                     double min_pressure, double max_pressure, const std::string& outside) {
+    const LawRange<double> range{min_pressure, max_pressure, from_name<OutsideRange>(outside, "outside")};
+    if (range.outside == OutsideRange::exact)
+        detail::refuse("outside", "exact", "another policy for the law after a load");
+    const nb::gil_scoped_release free;
+    const TabulatedLaw loading = contact.contact->tabulate(range);
+    const double hardness = detail::relative_hardness(*contact.problem).value_or(0);
+    std::vector<TabulatedLaw> laws;
+    for (const double p : greatest) laws.push_back(law_after(loading, p, hardness));
+    return laws;
+}
+
+/// One law for all contacts, or one for each.
+using Laws = std::vector<const TabulatedLaw*>;
+
+/// \p call of the law of each contact, whose numbers are a row of \p x.
+template <std::size_t count, class Call>
+std::vector<Out> rows(const Laws& laws, const In& x, const Call& call) {
+    std::vector<NewArray> made;
+    for (std::size_t i = 0; i < count; ++i) made.emplace_back(x);
+    {
+        const nb::gil_scoped_release free;
+        const std::size_t size = laws.empty() ? 0 : x.size() / laws.size();
+        for (std::size_t c = 0; c < laws.size(); ++c)
+            for (std::size_t i = c * size; i < (c + 1) * size; ++i) {
+                const std::array<double, count> found = call(*laws[c], x.data()[i]);
+                for (std::size_t k = 0; k < count; ++k) made[k].data()[i] = found[k];
+            }
+    }
+    std::vector<Out> taken;
+    for (NewArray& array : made) taken.push_back(array.take());
+    return taken;
+}
+
+/// Friction of each contact of \p laws.
+std::vector<Friction> frictions_of(const Laws& laws, const In& friction, const In& ratio) {
+    const auto of = [](const In& numbers, std::size_t c) { return numbers.data()[numbers.size() == 1 ? 0 : c]; };
+    const std::size_t count = std::max({laws.size(), friction.size(), ratio.size()});
+    std::vector<Friction> made;
+    for (std::size_t c = 0; c < count; ++c)
+        made.emplace_back(*laws[laws.size() == 1 ? 0 : c], of(friction, c), of(ratio, c));
+    return made;
+}
+
+/// Two numbers of what \p call of the law with friction gives at every separation and slip, arrays of one shape whose
+/// rows are the contacts.
+template <auto call, auto first, auto second>
+std::vector<Out> slipped(const Laws& laws, const In& friction, const In& ratio, const In& separations,
+                         const In& slips) {
+    NewArray one(separations), other(separations);
+    {
+        const nb::gil_scoped_release free;
+        const std::vector<Friction> with = frictions_of(laws, friction, ratio);
+        const std::size_t size = separations.size() / with.size();
+        for (std::size_t i = 0; i < separations.size(); ++i) {
+            const auto at = (with[i / size].*call)(separations.data()[i], slips.data()[i]);
+            one.data()[i] = at.*first, other.data()[i] = at.*second;
+        }
+    }
+    return {one.take(), other.take()};
+}
+
+/// p, q, their tangents, and their derivatives by the directions of \p motion_by, of each step of \p contacts; the slips
+/// go with them, and the energy that each stores in the end.
+nb::tuple moved(const Laws& laws, const In& friction, const In& ratio, std::size_t contacts, std::vector<Slip> slips,
+                const In& separations, const In& steps_by, const In& motion_by, std::size_t directions,
+                std::size_t threads) {
+    const std::size_t count = separations.size(), steps = contacts > 0 ? count / contacts : 0;
+    SlipResponses<double> found;
+    std::vector<double> energies;
+    {
+        const nb::gil_scoped_release free;
+        const std::vector<Friction> with = frictions_of(laws, friction, ratio);
+        std::vector<const Friction*> all;
+        for (const Friction& one : with) all.push_back(&one);
+        slip_responses<double>(all,
+                               {.contacts = contacts,
+                                .steps = steps,
+                                .separations = numbers_of(separations),
+                                .slips = numbers_of(steps_by),
+                                .motion_by = numbers_of(motion_by),
+                                .directions = directions,
+                                .states = slips},
+                               found, on_threads(threads));
+        for (std::size_t c = 0; c < contacts; ++c)
+            energies.push_back(with[with.size() == 1 ? 0 : c].stored_energy(slips[c]));
+    }
+    return nb::make_tuple(taken(std::move(found.pressures), {count}), taken(std::move(found.tractions), {count, 2}),
+                          taken(std::move(found.tangents), {count, 3, 3}),
+                          taken(std::move(found.responses_by), {count, 3, directions}),
+                          taken(std::move(energies), {contacts}), slips);
+}).take(),
+                          NewArray(found.tangents, {count, 3, 3}).take(),
+                          NewArray(found.responses_by, {count, 3, directions}).take(), NewArray(energies).take(),
+                          slips);
 }
 
 void add_laws(nb::module_& m) {
     nb::class_<TabulatedLaw>(m, "Law", "A tabulated law; see fstiff.Law.")
         .def_static(
             "from_text", [](std::string_view text) { return TabulatedLaw::from_text(text); }, nb::arg("text"))
-        .def_static("of_answer", &law_of_answer)
+        .def_static("of_answer", &laws_of_answer)
         .def("to_text", &TabulatedLaw::to_text)
         .def("stiffness",
              [](const TabulatedLaw& law, const In& p, const Filled& out) {
@@ -283,12 +390,6 @@ void add_laws(nb::module_& m) {
                  });
              })
         .def("energy", &each<&TabulatedLaw::energy>)
-        .def("first_slip",
-             &slipped<&Friction::first_slip, &Friction::FirstSlip::traction, &Friction::FirstSlip::stiffness>)
-        .def("cycle", &slipped<&Friction::cycle, &Friction::Cycle::lost, &Friction::Cycle::loss_factor>)
-        .def("path", &moved)
-        .def("stored_energy", [](const TabulatedLaw& law, double friction, double ratio,
-                                 const Slip& slip) { return Friction(law, friction, ratio).stored_energy(slip); })
         .def_prop_ro("touch", &TabulatedLaw::touch)
         .def_prop_ro("pressures",
                      [](const TabulatedLaw& law) { return std::pair(law.pressures()[0], law.pressures()[1]); })
@@ -297,6 +398,22 @@ void add_laws(nb::module_& m) {
         .def_prop_ro("relative_error", &TabulatedLaw::relative_error)
         .def_prop_ro("stiffness_is_slope", &TabulatedLaw::stiffness_is_slope)
         .def_prop_ro("outside", [](const TabulatedLaw& law) { return std::string(name_of(law.outside())); });
+    m.def("law_rows", [](const Laws& laws, const std::string& what, const In& x) {
+        const auto one = [&](double (TabulatedLaw::*call)(double) const) {
+            return rows<1>(laws, x, [call](const TabulatedLaw& law, double at) { return std::array{(law.*call)(at)}; });
+        };
+        if (what == "stiffness") return one(&TabulatedLaw::stiffness);
+        if (what == "separation") return one(&TabulatedLaw::separation);
+        if (what == "energy") return one(&TabulatedLaw::energy);
+        return rows<2>(laws, x, [](const TabulatedLaw& law, double d) {
+            const auto [p, slope] = law.tangent_at_separation(d);
+            return std::array{p, slope};
+        });
+    });
+    m.def("first_slip",
+          &slipped<&Friction::first_slip, &Friction::FirstSlip::traction, &Friction::FirstSlip::stiffness>);
+    m.def("slip_cycle", &slipped<&Friction::cycle, &Friction::Cycle::lost, &Friction::Cycle::loss_factor>);
+    m.def("slip_paths", &moved);
 }
 
 }  // namespace
@@ -318,6 +435,7 @@ void add_contacts(nb::module_& m) {
             },
             nb::arg("min_pressure"), nb::arg("max_pressure"), nb::arg("outside"), nb::keep_alive<0, 1>(),
             nb::call_guard<nb::gil_scoped_release>())
+        .def("laws_after", &laws_after)
         .def_prop_ro("quantities", &quantities_of)
         .def_prop_ro("law", [](const OneContact& contact) { return std::string(contact.law->name); })
         .def_prop_ro("nature", [](const OneContact& contact) { return std::string(contact.law->nature); });

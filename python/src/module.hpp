@@ -2,6 +2,7 @@
 #pragma once
 // What the parts of the module fstiff._core share: arrays of NumPy in and out, and Ctrl-C.
 
+#include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/joint_fields.hpp>
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/parallel.hpp>
@@ -58,6 +59,14 @@ private:
     std::vector<std::size_t> shape_;
 };
 
+/// \p values as an array of \p shape, without a copy. Needs the GIL.
+inline Out taken(std::vector<double> values, const std::vector<std::size_t>& shape) {
+    auto kept = std::make_unique<std::vector<double>>(std::move(values));
+    double* const data = kept->data();
+    const nb::capsule owner(kept.release(), [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
+    return Out(data, shape.size(), shape.data(), owner);
+}
+
 /// Numbers by their names.
 using Numbers = std::map<std::string, double, std::less<>>;
 
@@ -88,6 +97,18 @@ void take_numbers(Owner& owner, const Numbers& numbers) {
         return given == numbers.end() ? std::nullopt : std::optional(given->second);
     });
 }
+
+/// What the laws of answers go through: columns of joints x pressures, NaN where there is no K, and numbers of each joint.
+struct LawColumns {
+    std::map<std::string, std::vector<double>> points{}, facts{};
+
+    /// \p found, at as many pressures as the other joints.
+    void put(const Answer& found);
+    /// A joint without a K at \p pressures.
+    void put(std::span<const double> pressures);
+    /// Arrays of \p joints x pressures. Needs the GIL.
+    [[nodiscard]] nb::dict take(std::size_t joints) const;
+};
 
 /// Ends a computation by what a signal raises, KeyboardInterrupt for Ctrl-C.
 ProgressHook until_interrupted();

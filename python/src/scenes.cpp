@@ -108,7 +108,9 @@ nb::dict run(const Scene& scene) {
     all["best"] = scene.best;
     all["effective_modulus"] = scene.joint.effective_modulus;
     all["doubtful"] = answered.doubtful;
-    all["rms_height"] = answered.answer.rms_height;
+    LawColumns of_laws;
+    of_laws.put(answered.answer);
+    all["of_laws"] = of_laws.take(1);
     return all;
 }
 

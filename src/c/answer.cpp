@@ -81,6 +81,18 @@ Answer answer_of(const fstiff_joint* joint, const double* pressures, std::size_t
     return answer(joint_of(from, true), std::span(pressures, count), options);
 }
 
+/// The law that \p make has of the answer of \p from between two pressures, 0: the ends of \p pressures.
+template <class Make>
+fstiff_law* law_of(const fstiff_joint* from, const double* pressures, size_t count, double min_pressure,
+                   double max_pressure, int outside, const Make& make) {
+    const OutsideRange policy = outside_of(outside);
+    const Answer answer = answer_of(from, pressures, count, false);
+    const auto [least, greatest] = std::minmax_element(pressures, pressures + count);
+    return new fstiff_law{make(answer, LawRange<double>{.min_pressure = min_pressure == 0 ? *least : min_pressure,
+                                                        .max_pressure = max_pressure == 0 ? *greatest : max_pressure,
+                                                        .outside = policy})};
+}
+
 }  // namespace
 }  // namespace fstiff::c
 
@@ -106,12 +118,22 @@ int fstiff_answer(const fstiff_joint* joint, const double* pressures, size_t cou
 int fstiff_answer_law(const fstiff_joint* joint, const double* pressures, size_t count, double quantile,
                       double min_pressure, double max_pressure, int outside, fstiff_law** made) {
     return made_by(made, [&] {
-        const fstiff::OutsideRange policy = outside_of(outside);
-        const fstiff::Answer answer = answer_of(joint, pressures, count, false);
-        const auto [least, greatest] = std::minmax_element(pressures, pressures + count);
-        return new fstiff_law{answer.law_at(quantile, {.min_pressure = min_pressure == 0 ? *least : min_pressure,
-                                                       .max_pressure = max_pressure == 0 ? *greatest : max_pressure,
-                                                       .outside = policy})};
+        return law_of(joint, pressures, count, min_pressure, max_pressure, outside,
+                      [&](const fstiff::Answer& answer, const fstiff::LawRange<double>& range) {
+                          return answer.law_at(quantile, range);
+                      });
+    });
+}
+
+int fstiff_answer_law_after(const fstiff_joint* joint, const double* pressures, size_t count, double quantile,
+                            double greatest_pressure, double min_pressure, double max_pressure, int outside,
+                            fstiff_law** made) {
+    return made_by(made, [&] {
+        return law_of(joint, pressures, count, min_pressure, max_pressure, outside,
+                      [&](const fstiff::Answer& answer, const fstiff::LawRange<double>& range) {
+                          return greatest_pressure == 0 ? answer.loading_law(quantile, range)
+                                                        : answer.law_after(greatest_pressure, quantile, range);
+                      });
     });
 }
 

@@ -4,10 +4,12 @@
 
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
-#include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/tabulated/slip_motion.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 struct fstiff_friction {
     fstiff::TangentialLaw<double> law;
@@ -111,6 +113,43 @@ int fstiff_friction_step(const fstiff_friction* friction, const fstiff_slip* bef
         put(pressure, point.pressure);
         if (traction) std::copy_n(point.traction.data(), 2, traction);
         for (int i = 0; tangent && i < 9; ++i) tangent[i] = point.tangent(i / 3, i % 3);
+        return FSTIFF_OK;
+    });
+}
+
+int fstiff_friction_motion(const fstiff_friction* const* frictions, size_t laws, const fstiff_motion* motion) {
+    return guarded([&]() -> int {
+        const fstiff_motion from = taken(motion, "motion");
+        not_null(frictions, "frictions"), not_null(from.separations, "separations"), not_null(from.slips, "slips");
+        if (from.directions > 0) not_null(from.motion_by, "motion_by"), not_null(from.responses_by, "responses_by");
+        std::vector<const Law*> all;
+        for (size_t i = 0; i < laws; ++i) all.push_back(&not_null(frictions[i], "frictions").law);
+        const size_t count = from.contacts * from.steps, by = 3 * from.directions;
+        std::vector<State> states;
+        for (size_t c = 0; from.states && c < from.contacts; ++c) states.push_back(state_of(&from.states[c], "states"));
+        fstiff::SlipResponses<double> found;
+        fstiff::slip_responses<double>(all,
+                                       {.contacts = from.contacts,
+                                        .steps = from.steps,
+                                        .separations = {from.separations, count},
+                                        .slips = {from.slips, 2 * count},
+                                        .motion_by = {from.motion_by, (from.by_of_each ? count : from.steps) * by},
+                                        .directions = from.directions,
+                                        .states = states},
+                                       found);
+        const auto is_good = [](double x) { return std::isfinite(x); };
+        const auto good = [&](const std::vector<double>& numbers) {
+            return std::all_of(numbers.begin(), numbers.end(), is_good);
+        };
+        const bool finite = good(found.pressures) && good(found.tractions) && good(found.tangents) &&
+                            good(found.responses_by) && std::all_of(states.begin(), states.end(), is_finite);
+        if (const int status = handed_on(finite)) return status;
+        for (size_t c = 0; c < states.size(); ++c) keep(states[c], from.states[c]);
+        const auto hand = [](const std::vector<double>& numbers, double* to) {
+            if (to) std::copy(numbers.begin(), numbers.end(), to);
+        };
+        hand(found.pressures, from.pressures), hand(found.tractions, from.tractions);
+        hand(found.tangents, from.tangents), hand(found.responses_by, from.responses_by);
         return FSTIFF_OK;
     });
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tabulated laws.
 #include "c/law.hpp"
+
 #include "c/contact.hpp"
+
+#include <fstiff/tabulated/law_after.hpp>
 
 #include <algorithm>
 #include <array>
@@ -83,6 +86,14 @@ int fstiff_law_make(const fstiff_contact* contact, double min_pressure, double m
         not_null(contact, "contact");
         return new fstiff_law{contact->contact->tabulate(
             {.min_pressure = min_pressure, .max_pressure = max_pressure, .outside = outside_of(outside)})};
+    });
+}
+
+int fstiff_law_after(const fstiff_law* first_loading, double greatest_pressure, double relative_hardness,
+                     fstiff_law** made) {
+    return made_by(made, [&] {
+        return new fstiff_law{
+            fstiff::law_after(not_null(first_loading, "first_loading").law, greatest_pressure, relative_hardness)};
     });
 }
 

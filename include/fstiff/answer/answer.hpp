@@ -154,6 +154,7 @@ struct Answer : AnswerCurve {
     double long_waves = 1;                      ///< factor of K for waves longer than the measured piece; 1: none
     bool of_map_itself = false;                 ///< the contact is the measured map, and no other piece of the surface
     std::optional<double> relative_hardness{};  ///< H/(E g), where both are known
+    std::optional<double> greatest_pressure{};  ///< of an earlier load under which the peaks had yielded [Pa]
     std::vector<AssumedNumber> assumed{};       ///< that the law of the answer depends on
     bool across_lay =
         false;  ///< a profile is taken to run across the lay, as ISO 21920 has it; along it K errs 2 to 5 times
@@ -180,6 +181,15 @@ struct Answer : AnswerCurve {
     /// The caller includes fstiff/tabulated/contact_law.hpp.
     /// \throws domain_error for another quantile, a range beyond the points, and a K that does not rise.
     [[nodiscard]] ContactLaw<double> law_at(double quantile, const LawRange<double>& range) const;
+
+    /// The law of the first loading, by which a joint is tightened: p(d), and K of unloading from it. Separations as
+    /// law_at(); of an elastic answer it is that. \throws domain_error as law_at(), and of a joint that has carried more.
+    [[nodiscard]] ContactLaw<double> loading_law(double quantile, const LawRange<double>& range) const;
+    /// The law of a joint that has carried \p greatest [Pa]: reversible below it, along loading_law() above, with which
+    /// it shares separations (fstiff/tabulated/law_after.hpp). Friction takes it. Of an elastic answer it is law_at().
+    /// Of a map the joint itself has the earlier load, as Joint::greatest_pressure, for boundary elements of what it
+    /// left; \p greatest is then that pressure, and one of those of the answer. \throws domain_error as these.
+    [[nodiscard]] ContactLaw<double> law_after(double greatest, double quantile, const LawRange<double>& range) const;
 
     struct Ball;
     /// A ball of the radius \p radius [m] on the face under each of \p forces [N]. Points whose pressures rise from

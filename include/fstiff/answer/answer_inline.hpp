@@ -16,15 +16,14 @@
 #include <fstiff/answer/face_inline.hpp>
 #include <fstiff/answer/formed_answer_inline.hpp>
 #include <fstiff/answer/lacks_inline.hpp>
+#include <fstiff/answer/law_of_answer_inline.hpp>
 #include <fstiff/answer/law_rows_inline.hpp>
 #include <fstiff/answer/quick_hybrids_inline.hpp>
 #include <fstiff/answer/request_inline.hpp>
 #include <fstiff/answer/resolve_inline.hpp>
 #include <fstiff/answer/resolved_joint_inline.hpp>
-#include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/answer/unknowns_inline.hpp>
 #include <fstiff/asperity/material.hpp>
-#include <fstiff/tabulated/contact_law.hpp>
 
 #include <algorithm>
 #include <array>
@@ -267,6 +266,7 @@ FSTIFF_INLINE void take_facts(const ResolvedJoint& joint, const Request& request
     answer.of_map_itself = facts.of_map_itself;
     answer.long_waves = facts.long_waves;
     answer.relative_hardness = facts.relative_hardness;
+    answer.greatest_pressure = facts.flows ? joint.greatest_pressure : std::nullopt;
     answer.rms_gradient = curve.rms_gradient;
     answer.assumed = assumed_of(joint, *curve.law);
     const std::span<const double> pressures(request.points.data(), request.at_separations ? 0 : request.points.size());
@@ -317,26 +317,6 @@ FSTIFF_INLINE Answer answer_of(const ResolvedJoint& joint, std::span<const doubl
 
 FSTIFF_INLINE Answer answer(const Joint& joint, std::span<const double> pressures, const AnswerOptions& options) {
     return detail::answer_of(detail::problem_of(joint, detail::law_options(options)), pressures, options);
-}
-
-FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<double>& range) const {
-    if (!(quantile == 0.05 || quantile == 0.5 || quantile == 0.95))
-        detail::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
-    std::vector<std::pair<double, double>> logs;  // of p and K
-    for (const AnswerPoint& point : points) {
-        const auto& [low, value, high] = point.of_faces();
-        if (point.ok())
-            logs.push_back({std::log(point.pressure), std::log(quantile < 0.5 ? low : quantile > 0.5 ? high : value)});
-    }
-    const detail::RisingCurve curve(std::move(logs));
-    curve.require_within(range.min_pressure, range.max_pressure);
-    const double last = std::log(range.max_pressure);
-    return ContactLaw<double>::tabulate_points(
-        [&](double p) {
-            const double x = std::log(p);
-            return detail::LawPoint<double>{curve.fall(x, last), std::exp(curve.at(x))};
-        },
-        rms_height, range, 1.0);
 }
 
 FSTIFF_INLINE std::shared_ptr<const AnyContact> contact_of(const Joint& joint, const ChosenLaw& law,

@@ -16,7 +16,8 @@
 #include <fstiff/surface/band_spectrum.hpp>
 #include <fstiff/surface/material_ratio_slope.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
-#include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/tabulated/law_after.hpp>
+#include <fstiff/tabulated/slip_motion.hpp>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -42,5 +43,8 @@ FSTIFF_DOUBLE TangentialLaw<double>::Response<1> TangentialLaw<double>::step(con
 FSTIFF_DOUBLE TangentialLaw<double>::Response<2> TangentialLaw<double>::step(const SlipState<double, 2>&, double,
                                                                              const TangentialLaw<double>::Vector<2>&,
                                                                              SlipState<double, 2>&) const;
+FSTIFF_DOUBLE void slip_responses(std::span<const TangentialLaw<double>* const>, const SlipMotion<double>&,
+                                  SlipResponses<double>&, const ParallelHook&);
+FSTIFF_DOUBLE ContactLaw<double> law_after(const ContactLaw<double>&, double, double);
 
 }}  // namespace fstiff

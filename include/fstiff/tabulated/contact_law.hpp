@@ -104,6 +104,41 @@ public:
         return result;
     }
 
+    /// The law whose K is -dp/dd and \p stiffness, a smooth function of the pressure [Pa], at nodes 1/20 of p apart;
+    /// separations count from that at the greatest pressure. \throws domain_error as tabulate_points.
+    [[nodiscard]] static ContactLaw tabulate_stiffness(const std::function<T(T pressure)>& stiffness,
+                                                       const LawRange<T>& range) {
+        detail::require_range(range);
+        if (range.outside == OutsideRange::exact)
+            detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
+        ContactLaw result;
+        const auto state = [&](T p, bool) { return detail::LawPoint<T>{T(0), stiffness(p)}; };
+        result.tables_ =
+            detail::KinkedTabulator<T>(state, T(1), T(1)).tabulate_evenly(range.min_pressure, range.max_pressure);
+        result.tables_.outside = range.outside;
+        return result;
+    }
+    /// \p below up to its greatest pressure, at \p separation [m], and \p above from there on; an empty one: nothing.
+    /// Both are of tabulate_points() with one ratio of K to -dp/dd, which may jump where they meet.
+    [[nodiscard]] static ContactLaw joined(const ContactLaw& below, const ContactLaw& above,
+                                           std::type_identity_t<T> separation) {
+        ContactLaw result = below;
+        auto& tables = result.tables_;
+        std::vector<detail::Parabola<T>> pieces = below.tables_.kinked.pieces();
+        const T fall = separation - pieces.back().separation;
+        for (auto& piece : pieces) piece.separation += fall;
+        if (!above.empty()) {
+            pieces.pop_back();
+            const T drop = separation - above.tables_.kinked.furthest();
+            for (auto piece : above.tables_.kinked.pieces()) piece.separation += drop, pieces.push_back(piece);
+            tables.max_pressure = above.tables_.max_pressure;
+            tables.relative_error = (std::max)(tables.relative_error, above.tables_.relative_error);
+            tables.evaluations += above.tables_.evaluations;
+        }
+        tables.kinked = detail::KinkedTables<T>(std::move(pieces));
+        return result;
+    }
+
     /// K [Pa/m] at the pressure \p pressure [Pa]. \throws domain_error outside the range under OutsideRange::refuse,
     /// for a negative or infinite pressure under extrapolate, for NaN, and of an empty law.
     [[nodiscard]] T stiffness(T pressure) const {
@@ -212,6 +247,8 @@ public:
     /// True if K is the slope -dp/dd of the returned p, where that is not constant (OutsideRange::clamp). The slope of
     /// tangent_at_separation is that of the returned p for every law.
     [[nodiscard]] bool stiffness_is_slope() const { return tables_.stiffness_over_slope == T(1); }
+    /// True if K has its own table: of peaks that yield it is that of unloading, and of vibration about the load.
+    [[nodiscard]] bool has_unloading() const { return tables_.has_own_stiffness(); }
     /// The range [Pa] and [m]; of an empty law 0 and NaN.
     [[nodiscard]] std::array<T, 2> pressures() const { return {tables_.min_pressure, tables_.max_pressure}; }
     [[nodiscard]] std::array<T, 2> separations() const { return {tables_.closest(), tables_.furthest()}; }

@@ -62,7 +62,8 @@ void require_numbers(const char* name, std::size_t given, std::size_t wanted) {
 template <int Columns, Real T>
 void slip_derivatives(const TangentialLaw<T>& law, const SlipMotion<T>& motion, std::size_t c, SlipState<T, 2> state,
                       std::size_t first, SlipResponses<T>& out) {
-    const std::size_t steps = motion.steps, all = motion.directions, count = (std::min)(all - first, std::size_t{Columns});
+    const std::size_t steps = motion.steps, all = motion.directions,
+                      count = (std::min)(all - first, std::size_t{Columns});
     const bool of_each = motion.motion_by.size() != steps * 3 * all;
     Eigen::Matrix<T, 3, Columns> by = Eigen::Matrix<T, 3, Columns>::Zero();
     SlipDerivatives<T, 2, Columns> memory;

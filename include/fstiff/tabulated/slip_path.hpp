@@ -163,9 +163,9 @@ private:
     void begin_between(const Kept& a, const Kept& b) {
         const T t = (step_.separation - a.level) / (b.level - a.level);
         const Vector rise = b.drag - a.drag, slope = rise / (b.level - a.level);
-        begin(a.drag + t * rise + step_.slip, slope).drag_by =
-            (1 - t) * (a.by.drag - slope * a.by.level) + t * (b.by.drag - slope * b.by.level) + step_.slip_by +
-            slope * step_.separation_by;
+        begin(a.drag + t * rise + step_.slip, slope).drag_by = (1 - t) * (a.by.drag - slope * a.by.level) +
+                                                               t * (b.by.drag - slope * b.by.level) + step_.slip_by +
+                                                               slope * step_.separation_by;
     }
     void moved(const Kept& node) {
         Point& point = tried_[tries_++];

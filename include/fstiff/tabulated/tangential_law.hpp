@@ -199,10 +199,10 @@ public:
     /// p, q and their derivatives by numbers that the whole motion depends on.
     template <int Directions, int Columns>
     struct MotionResponse {
-        T pressure;                                              ///< [Pa]
-        Vector<Directions> traction;                             ///< q [Pa]
-        Eigen::Matrix<T, 1, Columns> pressure_by;                ///< dp of each number
-        Eigen::Matrix<T, Directions, Columns> traction_by;       ///< dq of each number
+        T pressure;                                         ///< [Pa]
+        Vector<Directions> traction;                        ///< q [Pa]
+        Eigen::Matrix<T, 1, Columns> pressure_by;           ///< dp of each number
+        Eigen::Matrix<T, Directions, Columns> traction_by;  ///< dq of each number
     };
     /// step() whose separation and slip have the derivatives \p separation_by and \p slip_by by some numbers, such as
     /// the amplitudes of harmonics; \p by are those of the memory, before and after, 0 before any slip. They are carried
@@ -240,11 +240,11 @@ private:
                            "at least " + detail::shortest_text(closest_) + ", where the table ends");
     }
     template <int Columns, int Directions>
-    MotionResponse<Directions, Columns> moved(const SlipState<T, Directions>& before,
-                                              const std::type_identity_t<SlipDerivatives<T, Directions, Columns>>* before_by,
-                                              const detail::SlipStep<T, Directions, Columns>& to,
-                                              SlipState<T, Directions>& after,
-                                              std::type_identity_t<SlipDerivatives<T, Directions, Columns>>* after_by) const {
+    MotionResponse<Directions, Columns> moved(
+        const SlipState<T, Directions>& before,
+        const std::type_identity_t<SlipDerivatives<T, Directions, Columns>>* before_by,
+        const detail::SlipStep<T, Directions, Columns>& to, SlipState<T, Directions>& after,
+        std::type_identity_t<SlipDerivatives<T, Directions, Columns>>* after_by) const {
         constexpr T most = (std::numeric_limits<T>::max)();
         detail::require(std::abs(to.separation) <= most, "separation", to.separation, "finite");
         for (const T s : to.slip) detail::require(std::abs(s) <= most, "slip", s, "finite");
@@ -284,8 +284,7 @@ private:
             sum.traction += mean * rise;
             sum.traction_by += mean * (b->drag_by - a->drag_by);
             if (length > 0)
-                sum.traction_by +=
-                    rise / length * ((mean - a->slope) * a->level_by + (b->slope - mean) * b->level_by);
+                sum.traction_by += rise / length * ((mean - a->slope) * a->level_by + (b->slope - mean) * b->level_by);
         }
         sum.traction *= ratio_;
         sum.traction_by *= ratio_;
