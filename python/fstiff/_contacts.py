@@ -488,9 +488,10 @@ def _paths(
     if not (slips.ndim and slips.shape[-1] == 2):
         raise ValueError(f"slip: must have two numbers for each step, not the shape {slips.shape}")
     try:
-        shape = np.broadcast_shapes(d.shape, slips.shape[:-1], (1,))
+        given_shape = np.broadcast_shapes(d.shape, slips.shape[:-1])
     except ValueError:
         raise ValueError(f"slip: its shape {slips.shape} does not go with the shape {d.shape} of separation") from None
+    shape = given_shape or (1,)
     leading, steps = shape[:-1], shape[-1]
     contacts = int(np.prod(leading, dtype=int))
     if len(laws) not in (1, contacts):
@@ -525,7 +526,7 @@ def _paths(
         if rows is not None:
             of_contact = values.reshape(contacts, -1)
             of_contact *= rows
-        return values.reshape(*shape, *more)
+        return values.reshape((*given_shape, *more))
 
     numbers_of = given.shape[-1]
     total = energy * np.resize(areas, contacts)

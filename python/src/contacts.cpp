@@ -360,10 +360,6 @@ nb::tuple moved(const Laws& laws, const In& friction, const In& ratio, std::size
                           taken(std::move(found.tangents), {count, 3, 3}),
                           taken(std::move(found.responses_by), {count, 3, directions}),
                           taken(std::move(energies), {contacts}), slips);
-}).take(),
-                          NewArray(found.tangents, {count, 3, 3}).take(),
-                          NewArray(found.responses_by, {count, 3, directions}).take(), NewArray(energies).take(),
-                          slips);
 }
 
 void add_laws(nb::module_& m) {

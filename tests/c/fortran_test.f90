@@ -7,7 +7,9 @@ program fortran_test
     type(fstiff_law_facts) :: facts
     type(fstiff_measure_options) :: options
     type(fstiff_surface) :: surface
-    type(c_ptr) :: contact, law, same, document, friction
+    type(c_ptr) :: contact, law, same, other, document, friction, frictions(1)
+    type(fstiff_motion) :: motion
+    real(c_double), target :: separations(2), slips(4)
     type(fstiff_slip) :: before, after
     type(fstiff_heights), target :: array
     type(fstiff_measured_curve) :: curve
@@ -37,7 +39,8 @@ program fortran_test
     call check(points%size == c_sizeof(points) .and. &
         facts%size == c_sizeof(facts) .and. options%size == c_sizeof(options) .and. surface%size == c_sizeof(surface) .and. &
         face%size == c_sizeof(face) .and. joint%size == c_sizeof(joint) .and. answer%size == c_sizeof(answer) .and. &
-        array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve) .and. before%size == c_sizeof(before), "sizes")
+        array%size == c_sizeof(array) .and. curve%size == c_sizeof(curve) .and. before%size == c_sizeof(before) .and. &
+        motion%size == c_sizeof(motion), "sizes")
 
     face = fstiff_face(rms_height=0.832d-6, peak_radius=40d-6, peak_density=500d6, r=0.5d0, theta=1d0)
     joint = fstiff_joint(face=c_loc(face), effective_modulus=112.6d9)
@@ -92,6 +95,18 @@ program fortran_test
             all(bits(after%drags(1, :after%count)) == bits(wanted(19::3))) .and. &
             all(bits(after%drags(2, :after%count)) == bits(wanted(20::3))), "slip")
     end do
+    call check(fstiff_law_after(same, 1d7, 0.1d0, other) == FSTIFF_OK, "an elastic law is its own after a load")
+    call fstiff_law_free(other)
+    frictions(1) = friction
+    motion%contacts = 1
+    motion%steps = 2
+    separations = wanted(1)
+    slips = 1d-9
+    motion%separations = c_loc(separations)
+    motion%slips = c_loc(slips)
+    motion%pressures = c_loc(stiffness)
+    call check(fstiff_friction_motion(frictions, 1_c_size_t, motion) == FSTIFF_OK, "motion")
+    call check(stiffness(1) == stiffness(2) .and. stiffness(1) > 0, "pressure of a motion")
     before%count = 17
     call check(fstiff_friction_step(friction, before, 1d-6, traction, after, p, traction, tangent) == FSTIFF_REFUSED, "count")
     call check(index(fstiff_message(), "count of a slip = 17: must be 0 to 16") > 0, "message of a count")

@@ -305,7 +305,7 @@ static void test_refusals_of_friction(void) {
     BAD("law", fstiff_friction_make(NULL, 0.3, 0.8, &none));
     CHECK(none == NULL);
     BAD("made", fstiff_friction_make(law, 0.3, 0.8, NULL));
-    REFUSES("friction = 0", fstiff_friction_make(law, 0, 0.8, &none));
+    REFUSES("friction = -0.1", fstiff_friction_make(law, -0.1, 0.8, &none));
     REFUSES("ratio = nan", fstiff_friction_make(law, 0.3, (double)NAN, &none));
     fstiff_contact* flowing = contact_of("fractal");
     OK(fstiff_law_make(flowing, 1e5, 1e8, FSTIFF_OUTSIDE_REFUSE, &plastic));
@@ -653,6 +653,116 @@ static void test_law_of_answer(void) {
     fstiff_law_free(law);
     free(pressures);
     free(laws);
+}
+
+/* The laws of the first loading and after one: those of C++ bit for bit. */
+static void test_laws_after_a_load(void) {
+    const double greatest[2] = {0, 2e7};
+    enum { n = 21 };
+    size_t count, of_laws;
+    double *pressures = numbers_of("answer/pressures", &count), *laws = numbers_of("answer/laws_after", &of_laws);
+    CHECK(count == n && of_laws == 6 * n);
+    const fstiff_face face = {.size = sizeof face, .rms_height = 1e-6, .rms_gradient = 0.1};
+    fstiff_joint joint = {.size = sizeof joint, .face = &face};
+    joint.upper = joint.lower = (fstiff_solid){210e9, 0.3, 0, 2e9};
+    fstiff_law *made[2], *law = NULL;
+    for (int k = 0; k < 2; ++k) {
+        OK(fstiff_answer_law_after(&joint, pressures, n, 0.5, greatest[k], 0, 0, FSTIFF_OUTSIDE_EXTRAPOLATE, &made[k]));
+        fstiff_law_facts facts = {.size = sizeof facts};
+        CHECK(fstiff_law_facts_of(made[k], &facts) == FSTIFF_OK && facts.stiffness_is_slope == k);
+        for (int i = 0; i < n; ++i) {
+            const double* of_cpp = laws + 3 * (k * n + i);
+            double d, K, slope;
+            OK(fstiff_law_at_pressure(made[k], pressures[i], &d, &K, NULL));
+            OK(fstiff_law_at_separation(made[k], d, NULL, NULL, &slope));
+            CHECK(d == of_cpp[0] && K == of_cpp[1] && slope == of_cpp[2]);
+        }
+    }
+    double K = 0, same = 0; /* H/(E g) of the joint */
+    OK(fstiff_law_after(made[0], 2e7, 2e9 / (210e9 / 1.82 * 0.1), &law));
+    OK(fstiff_law_at_pressure(law, 5e6, NULL, &K, NULL));
+    OK(fstiff_law_at_pressure(made[1], 5e6, NULL, &same, NULL));
+    CHECK(fabs(K / same - 1) < 1e-6);
+    fstiff_law_free(law);
+    REFUSES("greatest_pressure", fstiff_law_after(made[0], 2e9, 0.1, &law));
+    REFUSES("H/(E g)", fstiff_law_after(made[0], 2e7, -1, &law));
+    BAD("first_loading", fstiff_law_after(NULL, 2e7, 0.1, &law));
+    REFUSES("greatest_pressure",
+            fstiff_answer_law_after(&joint, pressures, n, 0.5, (double)NAN, 0, 0, FSTIFF_OUTSIDE_CLAMP, &law));
+    BAD("joint", fstiff_answer_law_after(NULL, pressures, n, 0.5, 2e7, 0, 0, FSTIFF_OUTSIDE_CLAMP, &law));
+    for (int k = 0; k < 2; ++k) fstiff_law_free(made[k]);
+    free(pressures);
+    free(laws);
+}
+
+/* A motion of many contacts: the steps of each, and derivatives that are differences. */
+static void test_motion(void) {
+    enum { contacts = 3, steps = 16, count = contacts * steps };
+    fstiff_contact* hertz = contact_of("hertz");
+    fstiff_law* law;
+    fstiff_friction* friction = NULL;
+    OK(fstiff_law_make(hertz, 1e5, 1e8, FSTIFF_OUTSIDE_EXTRAPOLATE, &law));
+    OK(fstiff_friction_make(law, 0.3, 0.8, &friction));
+    double d, separations[count], slips[2 * count], by[3 * steps] = {0}, p[count], q[2 * count], tangents[9 * count];
+    double responses_by[3 * count];
+    OK(fstiff_law_at_pressure(law, 1e7, &d, NULL, NULL));
+    for (int c = 0; c < contacts; ++c)
+        for (int i = 0; i < steps; ++i) {
+            const int at = c * steps + i;
+            separations[at] = d - 1e-8 * (1 + c) * sin(0.7 * i);
+            slips[2 * at] = 2e-8 * cos(0.5 * i), slips[2 * at + 1] = 1e-8 * sin(0.3 * i + c);
+            by[3 * i + 1] = cos(0.5 * i); /* the amplitude of the first slip */
+        }
+    const fstiff_friction* const one = friction;
+    fstiff_motion motion = {.size = sizeof motion,
+                            .contacts = contacts,
+                            .steps = steps,
+                            .separations = separations,
+                            .slips = slips,
+                            .directions = 1,
+                            .motion_by = by,
+                            .pressures = p,
+                            .tractions = q,
+                            .tangents = tangents,
+                            .responses_by = responses_by};
+    OK(fstiff_friction_motion(&one, 1, &motion));
+    fstiff_slip states[contacts];
+    for (int c = 0; c < contacts; ++c) {
+        states[c] = (fstiff_slip){.size = sizeof *states, .separation = separations[c * steps]};
+        fstiff_slip moved = states[c];
+        for (int i = 0; i < steps; ++i) {
+            const int at = c * steps + i;
+            double pressure, traction[2], tangent[9];
+            OK(fstiff_friction_step(friction, &moved, separations[at], slips + 2 * at, &moved, &pressure, traction,
+                                    tangent));
+            CHECK(p[at] == pressure && q[2 * at] == traction[0] && q[2 * at + 1] == traction[1]);
+            CHECK(memcmp(tangents + 9 * at, tangent, sizeof tangent) == 0);
+        }
+    }
+    motion.states = states, motion.directions = 0, motion.motion_by = NULL;
+    OK(fstiff_friction_motion(&one, 1, &motion));
+    CHECK(states[0].separation == separations[steps - 1] && states[0].count > 0);
+    motion.states = NULL;
+    double up[2 * count], down[2 * count];
+    for (int side = 0; side < 2; ++side) {
+        for (int i = 0; i < count; ++i) slips[2 * i] *= side == 0 ? 1 + 1e-6 : (1 - 1e-6) / (1 + 1e-6);
+        motion.tractions = side == 0 ? up : down;
+        OK(fstiff_friction_motion(&one, 1, &motion));
+    }
+    for (int at = 0; at < count; ++at) {
+        const double difference = (up[2 * at] - down[2 * at]) / (2 * 2e-8 * 1e-6);
+        CHECK(fabs(responses_by[3 * at + 1] / difference - 1) < 1e-5);
+    }
+    REFUSES("laws", fstiff_friction_motion((const fstiff_friction* const[]){one, one}, 2, &motion));
+    separations[3] = (double)NAN;
+    REFUSES("separation = nan", fstiff_friction_motion(&one, 1, &motion));
+    BAD("motion", fstiff_friction_motion(&one, 1, NULL));
+    BAD("frictions", fstiff_friction_motion(NULL, 1, &motion));
+    motion.slips = NULL;
+    BAD("slips", fstiff_friction_motion(&one, 1, &motion));
+    fstiff_friction_free(friction);
+    fstiff_law_free(law);
+    fstiff_contact_free(hertz);
 }
 
 static void test_refusals_of_law_of_answer(void) {
@@ -1042,6 +1152,8 @@ int main(int argc, char** argv) {
         test_tangents();
         test_answer();
         test_law_of_answer();
+        test_laws_after_a_load();
+        test_motion();
         test_measurement();
         free(text);
     } else if (strcmp(part, "refusals") == 0)

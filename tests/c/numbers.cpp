@@ -111,6 +111,15 @@ void print_law_of_answer() {
             all.insert(all.end(), {law.separation(p), law.stiffness(p), law.slope_at_separation(law.separation(p))});
     }
     print("answer/laws", all);
+    std::vector<double> after;
+    for (const double greatest : {0.0, 2e7}) {
+        const LawRange<double> range{pressures.front(), pressures.back(), OutsideRange::extrapolate};
+        const auto law = greatest == 0 ? found.loading_law(0.5, range) : found.law_after(greatest, 0.5, range);
+        for (const double p : pressures)
+            after.insert(after.end(),
+                         {law.separation(p), law.stiffness(p), law.slope_at_separation(law.separation(p))});
+    }
+    print("answer/laws_after", after);
 }
 
 /// K by each law of a joint of numbers, or by those that need one of a joint of heights.

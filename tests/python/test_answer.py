@@ -257,6 +257,22 @@ def test_the_law_of_an_answer():
     }, "law", law="answer"))  # fmt: skip
     np.testing.assert_allclose(same.stiffness(p), found.law_at().stiffness(p), rtol=1e-6)
 
+    loading = found.loading_law(outside="extrapolate")
+    np.testing.assert_allclose(loading.stiffness(between), there.stiffness, rtol=2e-3)
+    slopes = loading.tangent_at_separation(loading.separation(between))[1]
+    np.testing.assert_allclose(slopes, there.loading_stiffness, rtol=2e-2)
+    carried = fstiff.answer(pressures=between, greatest_pressure=9.5e7, **given)
+    after = found.law_after([3e7, 9.5e7], outside="extrapolate")
+    np.testing.assert_allclose(after[1].stiffness(between), carried.stiffness, rtol=5e-3)
+    np.testing.assert_allclose(after.separation([3e7, 9.5e7]), loading.separation(np.array([3e7, 9.5e7])), atol=1e-13)
+    assert found.law_after(3e7, outside="extrapolate") == after[0]
+    with pytest.raises(ValueError, match="greatest_pressure: must be greater than 0"):
+        found.law_after(0)
+    formed = {"flatness": 5e-6, "nominal_area": 1e-3, "samples": 0}
+    of_joint, of_faces = (fstiff.answer(pressures=p, **given, **more) for more in (formed, {"samples": 0}))
+    assert of_joint.stiffness[0] < 0.9 * of_faces.stiffness[0]
+    np.testing.assert_allclose(of_joint.law_at().stiffness(between), of_faces.law_at().stiffness(between), rtol=1e-6)
+
     many = fstiff.answer(rms_height=[0.4e-6, 0.8e-6], rms_gradient=[0.1, np.nan], upper="steel", pressures=p, samples=0)
     one = fstiff.answer(rms_height=0.4e-6, rms_gradient=0.1, upper="steel", pressures=p, samples=0)
     assert many.law_at(joint=0).to_text() == one.law_at().to_text()

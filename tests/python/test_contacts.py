@@ -449,6 +449,111 @@ def test_a_path_of_friction_is_the_first_slip_then_the_cycle_of_masing():
         law.path(d, (np.nan, 0), **with_friction)
 
 
+def test_paths_of_many_contacts_are_those_of_each():
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8)
+    other = CONTACTS["hertz"].tabulate(1e5, 2e8)
+    laws = fstiff.Laws([law, other, law])
+    t = np.linspace(0, 4 * np.pi, 24)
+    opening = 2e-8 * np.sin(t) * np.array([[1], [2], [3]])
+    slip = np.diff(np.stack([2e-8 * np.cos(t), 1e-8 * np.sin(2 * t)], -1), axis=0, prepend=0.0)
+    mu, preload, area = [0.1, 0.2, 0.3], [5e6, 1e7, 2e7], [1e-4, 2e-4, 3e-4]
+    found = laws.path(opening, slip, friction=mu, ratio=0.8, preload=preload, area=area, threads=2)
+    assert found.pressure.shape == (3, 24) and found.tangent.shape == (3, 24, 3, 3) and len(found.after) == 3
+    np.testing.assert_array_equal(laws.separation(preload), [one.separation(p) for one, p in zip(laws, preload)])
+    for c, one in enumerate(laws):
+        alone = one.path(one.separation(preload[c]) + opening[c], slip, friction=mu[c], ratio=0.8)
+        for name in ("pressure", "traction", "tangent"):
+            np.testing.assert_allclose(getattr(found, name)[c], area[c] * getattr(alone, name), rtol=1e-12)
+        assert found.energy[c] == pytest.approx(area[c] * alone.energy, rel=1e-12)
+    half = laws.path(opening[:, :12], slip[:12], friction=mu, ratio=0.8, preload=preload)
+    rest = laws.path(opening[:, 12:], slip[12:], friction=mu, ratio=0.8, preload=preload, before=half.after)
+    whole = laws.path(opening, slip, friction=mu, ratio=0.8, preload=preload)
+    np.testing.assert_array_equal(np.concatenate([half.traction, rest.traction], axis=1), whole.traction)
+    same = law.path(np.full((3, 24), law.separation(1e7)), slip, friction=0.2, ratio=0.8)  # one law
+    np.testing.assert_array_equal(same.traction[0], same.traction[2])
+    d = laws.separation(preload)
+    for call in ("cycle", "first_slip"):
+        both = getattr(laws, call)(d, 1e-8, friction=mu, ratio=0.8)
+        for c, one in enumerate(laws):
+            assert [x[c] for x in both] == pytest.approx([float(x) for x in getattr(one, call)(d[c], 1e-8, friction=mu[c], ratio=0.8)])
+    p, slope = laws.tangent_at_separation(d)
+    np.testing.assert_allclose(p, preload, rtol=1e-6)
+    np.testing.assert_allclose(slope, laws.stiffness(preload), rtol=1e-6)
+    no_friction = laws.path(opening, slip, friction=0, ratio=0.8, preload=preload)
+    assert not no_friction.traction.any() and np.array_equal(no_friction.pressure, whole.pressure)
+    for wrong, sentence in [
+        ({"separation": opening[:2]}, "separation: must be of 3 contacts, one for each law, not of the shape"),
+        ({"slip": np.zeros((5, 2))}, r"slip: its shape \(5, 2\) does not go with the shape"),
+        ({"friction": [0.1, 0.2]}, "friction: must be one number or 3, one for each contact"),
+        ({"friction": -0.1}, "friction = -0.1: must be"),
+        ({"slip": np.full((24, 2), np.nan)}, "slip = nan: must be finite"),
+        ({"directions": np.zeros((24, 2, 4))}, r"directions: must be of the shape \(24, 3, 'numbers'\)"),
+        ({"directions": np.full((24, 3, 1), np.inf)}, "motion_by = inf: must be finite"),
+        ({"before": half.after[:2]}, "before: must be of 3 contacts"),
+        ({"preload": 1e12}, r"pressure = 1e\+12: must be between"),
+    ]:
+        with pytest.raises(ValueError, match=sentence):
+            laws.path(**{"separation": opening, "slip": slip, "friction": mu, "ratio": 0.8, "preload": preload, **wrong})
+    with pytest.raises(ValueError, match="laws: must be laws, at least one"):
+        fstiff.Laws([])
+    with pytest.raises(ValueError, match="separation: must have 3 rows, one for each law"):
+        laws.energy([1e-6, 2e-6])
+
+
+def test_derivatives_of_a_whole_motion():
+    law = CONTACTS["hertz"].tabulate(1e5, 1e8, outside="extrapolate")
+    d = float(law.separation(1e7))
+    s = 3 * 0.3 / 0.8 * 1e7 / law.stiffness(1e7)  # gross slip
+    t = np.arange(128) * 4 * np.pi / 128
+    shapes = np.stack([np.cos(t), np.sin(t)], -1)
+
+    def motion(amplitudes):
+        slips = np.diff(shapes @ amplitudes, prepend=0.0)
+        return law.path(d, np.stack([slips, 0.1 * slips], -1), friction=0.3, ratio=0.8, directions=directions)
+
+    directions = np.zeros((128, 3, 2))
+    directions[:, 1] = np.diff(shapes, axis=0, prepend=0.0)
+    directions[:, 2] = 0.1 * directions[:, 1]
+    at = np.array([0.3 * s, s])
+    found = motion(at)
+    assert found.by_directions.shape == (128, 3, 2)
+    for k in range(2):
+        h = 1e-6 * s * np.eye(2)[k]
+        difference = (motion(at + h).traction - motion(at - h).traction) / (2e-6 * s)
+        exact = found.by_directions[:, 1:, k]
+        assert np.abs(exact - difference).max() < 1e-6 * np.abs(found.by_directions).max()
+    # the sine of the traction by that of the slip: the tangent of each step alone is far off
+    exact = found.by_directions[64:, 1, 1] @ shapes[64:, 1]
+    alone = found.tangent[64:, 1, 1] @ shapes[64:, 1] ** 2
+    assert abs(alone / exact - 1) > 0.2
+
+
+def test_the_law_after_a_load():
+    plastic = fstiff.Contact("plastic", rms_height=0.8e-6, rms_gradient=0.1, effective_modulus=115e9, hardness=2e9)
+    loading = plastic.tabulate(1e5, 1e8, outside="extrapolate")
+    law = plastic.law_after("20 MPa", 1e5, 1e8, outside="extrapolate")
+    assert law.stiffness_is_slope and law.separation(2e7) == pytest.approx(loading.separation(2e7), abs=1e-13)
+    assert law.stiffness(1.9999e7) == pytest.approx(loading.stiffness(2e7), rel=1e-3)
+    assert law.separation(1e7) < loading.separation(1e7)
+    with pytest.raises(ValueError, match="must be elastic"):
+        loading.cycle(loading.separation(1e7), 1e-9, friction=0.2, ratio=0.8)
+    lost, factor = law.cycle(law.separation(1e7), 1e-8, friction=0.2, ratio=0.8)
+    assert lost > 0 and 0 < factor < 4 / np.pi
+    many = plastic.law_after([1e7, 2e7], 1e5, 1e8, outside="extrapolate")
+    assert isinstance(many, fstiff.Laws) and many[1] == law and len(many) == 2
+    elastic = CONTACTS["hertz"]
+    assert elastic.law_after(1e7, 1e5, 1e8) == elastic.tabulate(1e5, 1e8)
+    for call, sentence in [
+        (lambda: plastic.law_after(2e8, 1e5, 1e8), r"greatest_pressure = 2e\+08: must be above"),
+        (lambda: plastic.law_after(np.nan, 1e5, 1e8), "greatest_pressure = nan: must be"),
+        (lambda: plastic.law_after([[1e7]], 1e5, 1e8), "greatest_pressure: must be one pressure or an array of one axis"),
+        (lambda: plastic.law_after(1e7, 1e5, 1e8, outside="exact"), "outside = exact: must be another policy"),
+        (lambda: CONTACTS["fractal"].law_after(1e7, 1e5, 1e8), "it has no unloading"),
+    ]:
+        with pytest.raises(ValueError, match=sentence):
+            call()
+
+
 def test_energy_friction_and_heat_of_a_law():
     integral = lambda y, x: float(np.sum((y[1:] + y[:-1]) / 2 * np.diff(x)))
     law = CONTACTS["hertz"].tabulate(1e5, 1e8)
@@ -469,5 +574,5 @@ def test_energy_friction_and_heat_of_a_law():
     masing = 8 * integral(q, s) - 4 * q[-1] * s[-1]  # twice the area of the first curve above its chord, four times
     assert float(lost) == pytest.approx(masing, rel=1e-4) and 0 < factor < 4 / np.pi
     assert fstiff.spot_conductance(k, 50.0, 112.6e9) == pytest.approx(50.0 * k / 112.6e9, rel=1e-14)
-    with pytest.raises(ValueError, match="friction = 0: must be"):
-        law.first_slip(d, 0.0, friction=0, ratio=ratio)
+    with pytest.raises(ValueError, match="friction = -0.1: must be"):
+        law.first_slip(d, 0.0, friction=-0.1, ratio=ratio)

@@ -52,19 +52,16 @@ private:
     }
 };
 
-/// -dp/dd by \p slopes and K by \p stiffnesses from where both are, which are one for a law whose K is -dp/dd;
-/// separations count from the end of \p range.
-inline ContactLaw<double> tabulated(const LogNodes& slopes, const LogNodes& stiffnesses, double rms_height,
-                                    const LawRange<double>& range, double ratio) {
-    const RisingCurve slope(slopes), stiffness(stiffnesses);
+/// The law with -dp/dd by \p slopes, and K by \p stiffnesses; null: -dp/dd.
+inline ContactLaw<double> law_of(const LogNodes& slopes, const LogNodes* stiffnesses, const LawRange<double>& range) {
+    const RisingCurve slope(slopes);
     slope.require_within(range.min_pressure, range.max_pressure);
-    const double last = std::log(range.max_pressure);
-    return ContactLaw<double>::tabulate_points(
-        [&](double p) {
-            const double x = std::log(p);
-            return LawPoint<double>{slope.fall(x, last), std::exp(stiffness.at(x))};
-        },
-        rms_height, range, ratio);
+    const auto of = [](const RisingCurve& curve) {
+        return [&curve](double p) { return std::exp(curve.at(std::log(p))); };
+    };
+    if (!stiffnesses) return ContactLaw<double>::tabulate_slope(of(slope), range);
+    const RisingCurve stiffness(*stiffnesses);
+    return ContactLaw<double>::tabulate_slope(of(slope), range, of(stiffness));
 }
 
 /// Those of \p below up to \p pressure, and those of \p above from it on.
@@ -82,8 +79,15 @@ inline std::pair<LogNodes, LogNodes> parted(const LogNodes& below, const LogNode
 }  // namespace detail
 
 FSTIFF_INLINE ContactLaw<double> Answer::law_at(double quantile, const LawRange<double>& range) const {
-    const detail::NodesOfAnswer nodes(*this, quantile);
-    return detail::tabulated(nodes.stiffnesses, nodes.stiffnesses, rms_height, range, 1.0);
+    const detail::RisingCurve curve(detail::NodesOfAnswer(*this, quantile).stiffnesses);
+    curve.require_within(range.min_pressure, range.max_pressure);
+    const double last = std::log(range.max_pressure);
+    return ContactLaw<double>::tabulate_points(
+        [&](double p) {
+            const double x = std::log(p);
+            return detail::LawPoint<double>{curve.fall(x, last), std::exp(curve.at(x))};
+        },
+        rms_height, range, 1.0);
 }
 
 FSTIFF_INLINE ContactLaw<double> Answer::loading_law(double quantile, const LawRange<double>& range) const {
@@ -92,7 +96,7 @@ FSTIFF_INLINE ContactLaw<double> Answer::loading_law(double quantile, const LawR
         detail::refuse("greatest_pressure", *greatest_pressure, 6,
                        "left out of the joint: after an earlier load it is law_after()");
     const detail::NodesOfAnswer nodes(*this, quantile);
-    return detail::tabulated(nodes.slopes, nodes.stiffnesses, rms_height, range, 0.0);
+    return detail::law_of(nodes.slopes, &nodes.stiffnesses, range);
 }
 
 FSTIFF_INLINE ContactLaw<double> Answer::law_after(double greatest, double quantile,
@@ -107,7 +111,7 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_after(double greatest, double quant
     const auto [below, above] = detail::parted(nodes.stiffnesses, nodes.slopes, greatest);
     const bool reached = !above.empty() && std::abs(above.front().first - std::log(greatest)) < 1e-9;
     const auto part = [&](const detail::LogNodes& of, double from, double to) {
-        return detail::tabulated(of, of, rms_height, {from, to, range.outside}, 1.0);
+        return detail::law_of(of, nullptr, {from, to, range.outside});
     };
     if (!(greatest < range.max_pressure)) return part(below, range.min_pressure, range.max_pressure);
     detail::require(reached, "greatest_pressure", greatest, "one of the pressures of the answer (Pa)");

@@ -104,22 +104,23 @@ public:
         return result;
     }
 
-    /// The law whose K is -dp/dd and \p stiffness, a smooth function of the pressure [Pa], at nodes 1/20 of p apart;
-    /// separations count from that at the greatest pressure. \throws domain_error as tabulate_points.
-    [[nodiscard]] static ContactLaw tabulate_stiffness(const std::function<T(T pressure)>& stiffness,
-                                                       const LawRange<T>& range) {
+    /// The law whose -dp/dd is \p slope, a smooth function of the pressure [Pa], at nodes 1/20 of p apart; separations
+    /// count from that at the greatest pressure. K is \p stiffness, of unloading where peaks yield; none: the slope.
+    /// \throws domain_error as tabulate_points.
+    [[nodiscard]] static ContactLaw tabulate_slope(const std::function<T(T pressure)>& slope, const LawRange<T>& range,
+                                                   const std::function<T(T pressure)>& stiffness = {}) {
         detail::require_range(range);
         if (range.outside == OutsideRange::exact)
             detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
         ContactLaw result;
-        const auto state = [&](T p, bool) { return detail::LawPoint<T>{T(0), stiffness(p)}; };
-        result.tables_ =
-            detail::KinkedTabulator<T>(state, T(1), T(1)).tabulate_evenly(range.min_pressure, range.max_pressure);
+        const auto state = [&](T p, bool) { return detail::LawPoint<T>{T(0), slope(p)}; };
+        result.tables_ = detail::KinkedTabulator<T>(state, T(1), T(1))
+                             .tabulate_evenly(range.min_pressure, range.max_pressure, stiffness);
         result.tables_.outside = range.outside;
         return result;
     }
     /// \p below up to its greatest pressure, at \p separation [m], and \p above from there on; an empty one: nothing.
-    /// Both are of tabulate_points() with one ratio of K to -dp/dd, which may jump where they meet.
+    /// Both are of tabulate_slope(); -dp/dd may jump where they meet.
     [[nodiscard]] static ContactLaw joined(const ContactLaw& below, const ContactLaw& above,
                                            std::type_identity_t<T> separation) {
         ContactLaw result = below;

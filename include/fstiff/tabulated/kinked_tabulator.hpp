@@ -39,9 +39,11 @@ public:
     /// \p ratio: K over -dp/dd; 0 where that is no constant.
     KinkedTabulator(Law law, T ratio, T rms_height) : law_(std::move(law)), ratio_(ratio), rms_(rms_height) {}
 
-    /// The table of a K that is smooth and a constant times -dp/dd, at nodes 1/20 of p apart and without a separation of
-    /// the law: that of the greatest pressure is 0. A tenth of the evaluations of tabulate(). \throws domain_error as it.
-    [[nodiscard]] LawTables<T> tabulate_evenly(T min_pressure, T max_pressure) {
+    /// The table of a smooth K, at nodes 1/20 of p apart and without a separation of the law: that of the greatest pressure
+    /// is 0. \p own is another K than that, whose slope is p then; none: ratio times it. A tenth of the evaluations of
+    /// tabulate(). \throws domain_error as it.
+    [[nodiscard]] LawTables<T> tabulate_evenly(T min_pressure, T max_pressure,
+                                               const std::function<T(T pressure)>& own) {
         constexpr T width = T(0.05);
         const T first = std::log(min_pressure), length = std::log(max_pressure) - first;
         const int intervals = (std::max)(2, static_cast<int>(std::ceil(length / width)));
@@ -51,16 +53,26 @@ public:
         nodes_.push_back(node(max_pressure, false));
         std::vector<Parabola<T>> pieces = integrated();
         const T last = pieces.back().separation;
-        for (auto& piece : pieces) piece.separation -= last;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            Parabola<T>& piece = pieces[i];
+            piece.separation -= last;
+            if (!own) continue;
+            piece.stiffness = own(piece.pressure);
+            piece.stiffness_per_fall = 0;
+            if (i > 0)
+                pieces[i - 1].stiffness_per_fall =
+                    (piece.stiffness - pieces[i - 1].stiffness) / (pieces[i - 1].separation - piece.separation);
+        }
         LawTables<T> tables;
         tables.min_pressure = min_pressure, tables.max_pressure = max_pressure;
-        tables.stiffness_over_slope = ratio_;
+        tables.stiffness_over_slope = own ? T(0) : ratio_;
         tables.kinked = KinkedTables<T>(std::move(pieces));
         T worst = 0;
         for (int i = 0; i < intervals; ++i) {
             const Node middle = node(at(T(i) + T(0.5)), false);
-            const T found = tables.kinked.at_pressure(middle.pressure).stiffness;
-            worst = (std::max)(worst, std::abs(found / middle.stiffness - 1));
+            const auto found = tables.kinked.at_pressure(middle.pressure);
+            worst = (std::max)(worst, std::abs(found.slope * ratio_ / middle.stiffness - 1));
+            if (own) worst = (std::max)(worst, std::abs(found.stiffness / own(middle.pressure) - 1));
         }
         tables.relative_error = worst + 64 * epsilon;
         tables.evaluations = evaluations_;

@@ -30,9 +30,10 @@ template <Real T>
 [[nodiscard]] ContactLaw<T> law_after(const ContactLaw<T>& first_loading, std::type_identity_t<T> greatest_pressure,
                                       std::type_identity_t<T> relative_hardness) {
     const auto [least, most] = first_loading.pressures();
-    detail::require(greatest_pressure > least && greatest_pressure <= most, "greatest_pressure", greatest_pressure,
-                    "above " + detail::rounded_text(least, 6) + " and at most " + detail::rounded_text(most, 6) +
-                        " Pa, within the range of the law");
+    if (!(greatest_pressure > least && greatest_pressure <= most))
+        detail::refuse("greatest_pressure", greatest_pressure, 6,
+                       "above " + detail::rounded_text(least, 6) + " and at most " + detail::rounded_text(most, 6) +
+                           " Pa, within the range of the law");
     if (first_loading.stiffness_is_slope()) return first_loading;
     if (!first_loading.has_unloading())
         detail::refuse("law", "of a K that is not -dp/dd", "elastic, or of peaks that yield: it has no unloading");
@@ -43,8 +44,8 @@ template <Real T>
                                                                static_cast<double>(relative_hardness)));
     };
     const auto closing = [&](T p) { return first_loading.slope_at_separation(first_loading.separation(p)); };
-    const auto part = [&](const auto& stiffness, T from, T to) {
-        return ContactLaw<T>::tabulate_stiffness(stiffness, {from, to, first_loading.outside()});
+    const auto part = [&](const auto& slope, T from, T to) {
+        return ContactLaw<T>::tabulate_slope(slope, {from, to, first_loading.outside()});
     };
     return ContactLaw<T>::joined(part(opening, least, greatest_pressure),
                                  greatest_pressure < most ? part(closing, greatest_pressure, most) : ContactLaw<T>(),
