@@ -250,6 +250,7 @@ def export(
     pressures: tuple[float | str, float | str] | None = None,
     law: str | None = None,
     quantile: float | str | None = None,
+    after: float | str | None = None,
     peaks: int = 1,
     at: float | str | None = None,
     surface: Face = None,
@@ -264,10 +265,11 @@ def export(
     pressures  from and until which the table reaches [Pa]; the least and the greatest of the scene by default
     law        of the scene, its first that gives a separation by default; "answer": the law whose slope is the K of the answer
     quantile   of K of the answer, for law "answer": 0.05 or 0.95, the ends of its band, or 0.5, the default
+    after      greatest pressure that the joint has carried [Pa], for law "answer": reversible below it, along the first loading above
     peaks      which of contact.peaks, from 1 on
     at         pressure whose tangential stiffness a card of friction holds [Pa]; the middle of the range in decades by default
     """
-    given: dict[str, Any] = {"to": to, "units": units, "law": law, "peaks": peaks, "at": at}
+    given: dict[str, Any] = {"to": to, "units": units, "law": law, "after": after, "peaks": peaks, "at": at}
     for key, share in (("tolerance", tolerance), ("slope_tolerance", slope_tolerance), ("quantile", quantile)):
         given[key] = repr(share) if isinstance(share, (int, float)) else share
     given["from"], given["until"] = pressures or (None, None)

@@ -51,6 +51,8 @@ std::optional<double> quantile_of(const ExportRequest& request) {
     const std::string law = surface::option_name(request.prefix, "law") + " " + std::string(answer_word);
     if (request.law != answer_word) {
         if (!request.quantile.empty()) throw domain_error(name + ": is for " + law);
+        if (!request.after.empty())
+            throw domain_error(surface::option_name(request.prefix, "after") + ": is for " + law);
         return std::nullopt;
     }
     const double quantile = request.quantile.empty() ? 0.5 : share_of(request.quantile, name);
@@ -138,6 +140,7 @@ PressureTableOptions options_of(const ExportRequest& request) {
     return {
         .law = request.law == answer_word ? std::string() : request.law,
         .quantile = quantile_of(request),
+        .after = pressure(request.after, "after"),
         .peaks = request.peaks,
         .from = pressure(request.from, "from"),
         .to = pressure(request.until, "until"),

@@ -35,6 +35,7 @@ struct ExportRequest {
     std::string law{};          ///< of the scene, or answer_word; empty: that of the answer, or its first that has a
                                 ///< separation
     std::string quantile{};     ///< of K of the answer: 5, 50 or 95 %, as a share or per cent; empty: 50 %
+    request::Amount after{};    ///< greatest pressure of the joint, whose law of the answer it is; empty: none
     int peaks = 1;              ///< which of contact.peaks, from 1 on
     std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
     request::Amount at{};       ///< pressure of the friction's stiffness; empty: the middle of the range, in decades
@@ -57,6 +58,9 @@ struct ExportRequest {
               "of the answer or, if the scene names laws, the first that gives a separation"});
         take("quantile", quantile,
              {"K of the answer, for law answer: 5% or 95%, the ends of its band, or 50%, the default"});
+        take("after", after,
+             {"greatest pressure that the joint has carried, for law answer: reversible below it, along the first "
+              "loading above"});
         take("peaks", peaks,
              {.help = "number of the entry in the scene's contact.peaks, from 1", .shows_default = true});
         take("at", at,

@@ -37,10 +37,16 @@ std::vector<double> nodes_between(const Scene& scene, double from, double to) {
 
 }  // namespace
 
-LawOfAnswer law_of_answer(const Scene& scene, double quantile, double from, double to, const ProgressHook& progress) {
+LawOfAnswer law_of_answer(const Scene& scene, double quantile, double from, double to,
+                          const std::optional<double>& after, const ProgressHook& progress) {
     Scene answered = scene;
     answered.best = true, answered.at_separations = false, answered.listed = true;
     answered.points = nodes_between(scene, from, to);
+    if (after && scene.joint.face.map && *after > from && *after < to) {  // boundary elements flatten it
+        answered.joint.greatest_pressure = *after;
+        const auto next = std::lower_bound(answered.points.begin(), answered.points.end(), *after);
+        if (*next != *after) answered.points.insert(next, *after);
+    }
     LawOfAnswer found{.answered = compute(std::move(answered), progress), .law = {}};
     double least = 0, greatest = 0;
     for (const AnswerPoint& point : found.answered.answer.points) {
@@ -48,8 +54,9 @@ LawOfAnswer law_of_answer(const Scene& scene, double quantile, double from, doub
         if (least == 0) least = point.pressure;
         greatest = point.pressure;
     }
-    found.law = found.answered.answer.law_at(
-        quantile, {.min_pressure = least, .max_pressure = greatest, .outside = OutsideRange::extrapolate});
+    const LawRange<double> range{.min_pressure = least, .max_pressure = greatest, .outside = OutsideRange::extrapolate};
+    const Answer& answer = found.answered.answer;
+    found.law = after ? answer.law_after(*after, quantile, range) : answer.law_at(quantile, range);
     return found;
 }
 

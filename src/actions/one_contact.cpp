@@ -107,7 +107,7 @@ OneContact make_contact(const std::string& law, Joint joint, const ProgressHook&
     if (JointFace& face = joint.face; face.peak_radius && face.peak_density && !face.skewness && !face.bearing)
         face.skewness = 0, face.kurtosis = 3;
     auto problem = std::make_shared<detail::ResolvedJoint>(problem_of_one(joint));
-    if (named->has_peaks && problem->default_peaks && (has_radius || !joint.face.rms_gradient))
+    if (named->has_peaks && named->needs_radius() && problem->default_peaks)  // others have r from the spectrum
         throw domain_error(
             name + "r and theta" +
             (joint.face.measured ? " of the surface: " + joint.face.measured->surface().why_no_peaks : ""));

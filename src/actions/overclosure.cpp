@@ -174,14 +174,25 @@ struct Tabulated {
     bool doubtful = false;
 };
 
+/// The law of the answer of \p scene that \p options ask for.
+LawOfAnswer answer_of(const Scene& scene, const PressureTableOptions& options, double from, double to) {
+    try {
+        return law_of_answer(scene, *options.quantile, from, to, options.after, options.progress);
+    } catch (const domain_error& error) {
+        if (!options.after || error.parameter() != "greatest_pressure") throw;
+        throw error.with_parameter(surface::option_name(options.prefix, "after"));
+    }
+}
+
 /// The law of the answer of \p scene, at \p fine.
 Tabulated of_answer(const Scene& scene, const Scene& fine, const PressureTableOptions& options) {
     const double from = fine.points.front(), to = fine.points.back();
-    const LawOfAnswer found = law_of_answer(scene, *options.quantile, from, to, options.progress);
+    const LawOfAnswer found = answer_of(scene, options, from, to);
     const Answer& answer = found.answered.answer;
-    const std::string end = *options.quantile < 0.5   ? ", the 5 % end of its band"
-                            : *options.quantile > 0.5 ? ", the 95 % end of its band"
-                                                      : "";
+    std::string end = *options.quantile < 0.5   ? ", the 5 % end of its band"
+                      : *options.quantile > 0.5 ? ", the 95 % end of its band"
+                                                : "";
+    if (options.after) end += ", after " + document::with_unit(*options.after, "Pa", 3);
     return {.curve = curve_at(found, fine, fine.points),
             .title = "of the answer" + end + ", by " + actions::laws_of(answer),
             .law = "the answer" + end,
@@ -281,7 +292,7 @@ Line LawColumns::line(const std::vector<double>& x, const std::vector<double>& y
 std::string law_text(const Scene& scene, const PressureTableOptions& options) {
     const Scene fine = fine_scene(scene, options);
     const double from = fine.points.front(), to = fine.points.back();
-    if (options.quantile) return law_of_answer(scene, *options.quantile, from, to, options.progress).law.to_text();
+    if (options.quantile) return answer_of(scene, options, from, to).law.to_text();
     return make_contact(fine, 0, 0, options.progress)
         .contact->tabulate({.min_pressure = from, .max_pressure = to, .outside = OutsideRange::extrapolate})
         .to_text();

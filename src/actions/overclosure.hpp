@@ -49,6 +49,7 @@ struct PressureTableOptions {
         law{};  ///< one of the scene, which may be any where it names none; empty: that of the answer, or its first
                 ///< that has a separation
     std::optional<double> quantile{};    ///< 0.05, 0.5 or 0.95 of K of the answer, whose law it is in place of `law`
+    std::optional<double> after{};       ///< of that law the greatest pressure that the joint has carried [Pa]
     int peaks = 1;                       ///< which of contact.peaks, from 1 on
     std::optional<double> from{}, to{};  ///< [Pa]; none: the least and the greatest pressure of the scene
     double tolerance = 0.01;             ///< of the interpolated pressure, relative; 1e-5 to 0.2

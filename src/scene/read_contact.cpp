@@ -217,6 +217,12 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
         node ? source.record(contact.key("laws"), "best") : source.record_default(contact.key("laws"), "best");
         return read_law_options(source, root, scene.laws.front()->which, scene);
     }
+    if (const toml::array* list = node->as_array())
+        for (const toml::node& one : *list)
+            if (one.is_string() && written(one) == "best")
+                throw domain_error(
+                    source.at(one) + ": " + contact.key("laws") +
+                    ": \"best\" must stand alone, as laws = \"best\"; the answer is computed next to any laws");
     std::vector<const detail::Law*> chosen;
     const auto names = detail::law_names();
     for (const auto i : source.choices(*node, contact.key("laws"), names))

@@ -220,6 +220,32 @@ TEST_CASE("export writes the law itself, of a map too, with the K that run print
     test::check_refused("export --to law --law boundary_elements", 3, {"boundary_elements"});
 }
 
+TEST_CASE("The law after a load is stiffer below it than the answer, and meets the first loading there") {
+    const test::Folder folder;
+    const std::string scene = folder.write("joint.toml",
+                                           "surface = { rms_height = '0.8 um', rms_gradient = 0.1 }\n"
+                                           "material = { upper = 'steel', lower = 'cast_iron' }\n"
+                                           "contact.pressures = ['1 MPa', '100 MPa']\n");
+    const std::string of_law = "export " + scene + " --law answer";
+    const auto law_of = [&](const std::string& more) {
+        const auto outcome = test::run_fstiff(of_law + more + " --to law");
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.status == 0);
+        return fstiff::ContactLaw<double>::from_text(outcome.out);
+    };
+    const auto answer = law_of(""), after = law_of(" --after 30MPa");
+    CHECK(after.stiffness_is_slope());
+    CHECK(test::relative_error(after.stiffness(29.9e6), answer.stiffness(30e6)) < 5e-3);
+    CHECK(after.stiffness(5e6) > 1.1 * answer.stiffness(5e6));
+    CHECK(after.stiffness(31e6) < 0.9 * after.stiffness(29.9e6));  // the first loading goes on
+    const auto card = test::run_fstiff(of_law + " --after 30MPa --to calculix");
+    CHECK(card.status == test::run_fstiff("run " + scene).status);
+    CHECK(test::contains(card.out, "the answer, after 30 MPa"));
+    test::check_refused(of_law + " --after 300MPa --to law", 3, {"--after = 3e+08: must be above 1e+06 and at most 1e+08 Pa"});
+    test::check_refused(of_law + " --after 30 --to law", 3, {"--after", "without a unit"});
+    test::check_refused("export " + scene + " --after 30MPa --to law", 3, {"--after: is for --law answer"});
+}
+
 TEST_CASE("export refuses in one sentence") {
     test::check_refused("export", 2, {"--to is required"});
     test::check_refused("export --to nastran", 2, {"nastran", "calculix"});
