@@ -89,6 +89,8 @@ class Contact(Shown):
     effective_modulus   of both bodies [Pa]; effective_modulus() computes it
     {numbers}
     poisson_ratio, yield_strength, hardness   of the softer body [1, Pa, Pa], for the plastic laws, which name what they need
+    peak_heights        of "greenwood_williamson", in place of Gaussian ones: of measured peaks over the mean plane [m]
+    peak_skewness, peak_kurtosis   or of these two numbers, about rms_height and the mean plane
     interaction         "none", "effective_separation" or "as_printed", over interaction_length [m]
 
     r and theta are given for a law that takes them; r = 0 means that heights and curvatures are independent. "hybrid" and
@@ -110,6 +112,9 @@ class Contact(Shown):
         hardness: float | None = None,
         interaction: Literal["none", "effective_separation", "as_printed"] = "none",
         interaction_length: Length | None = None,
+        peak_heights: npt.ArrayLike | None = None,
+        peak_skewness: float | None = None,
+        peak_kurtosis: float | None = None,
         **numbers_of_face: Any,
     ) -> None:
         require_known(numbers_of_face, tuple(FACE))
@@ -129,8 +134,9 @@ class Contact(Shown):
         if surface is not None and not isinstance(surface, Measurement):
             raise ValueError(f"surface: must be what measure() returned, not of type {type(surface).__name__}")
         measured = None if surface is None else surface._measured
-        self._core = _core.Contact.of_numbers(word(law, "law"), given, word(interaction, "interaction"), measured)
-        self._recipe = (_remade, (law, given, interaction, surface))
+        heights = _heights_of_peaks(peak_heights, peak_skewness, peak_kurtosis)
+        self._core = _core.Contact.of_numbers(word(law, "law"), given, word(interaction, "interaction"), measured, *heights)
+        self._recipe = (_remade, (law, given, interaction, surface, peak_heights, peak_skewness, peak_kurtosis))
         warn_of_height(given.get("rms_height", 0.0))
         if given["effective_modulus"] < 1e3:
             warnings.warn(f"effective_modulus of {shown(given['effective_modulus'])} Pa: below 1 kPa; it is in Pa", stacklevel=2)
@@ -188,7 +194,9 @@ class Contact(Shown):
         make, arguments = self._recipe
         if make is not _remade or arguments[3] is not None:
             raise ValueError("sensitivity(): needs a contact of plain numbers")
-        law, given, interaction, _ = arguments
+        law, given, interaction, _, *heights = arguments
+        if any(one is not None for one in heights):
+            raise ValueError("sensitivity(): needs a contact of Gaussian peaks")
         return _core.sensitivity(law, given, interaction, number(pressure, "pressure"))
 
     def plot(self, pressures: npt.ArrayLike = (1e5, 1e8), ax: Axes | None = None) -> Axes:
@@ -210,8 +218,25 @@ class Contact(Shown):
 with_names(Contact, Contact.__init__)
 
 
-def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None) -> Contact:
-    return Contact(law, surface=surface, interaction=interaction, **given)
+def _remade(law: str, given: dict[str, Any], interaction: Any, surface: Measurement | None, heights: Any, skewness: Any, kurtosis: Any) -> Contact:
+    shape = {"peak_heights": heights, "peak_skewness": skewness, "peak_kurtosis": kurtosis}
+    return Contact(law, surface=surface, interaction=interaction, **shape, **given)
+
+
+def _heights_of_peaks(heights: npt.ArrayLike | None, skewness: float | None, kurtosis: float | None) -> tuple[list[float], bool]:
+    """Heights of peaks, or their skewness and kurtosis and True."""
+    if (skewness is None) != (kurtosis is None):
+        raise ValueError(f"{'peak_skewness' if skewness is None else 'peak_kurtosis'}: missing; peak_skewness and peak_kurtosis belong together")
+    if heights is not None and skewness is not None:
+        raise ValueError("peak_heights: must not be given with peak_skewness, which is that of theirs")
+    if skewness is not None:
+        return [number(skewness, "peak_skewness"), number(kurtosis, "peak_kurtosis")], True
+    if heights is None:
+        return [], False
+    given = numbers(heights, "peak_heights")
+    if given.ndim != 1 or not given.size:
+        raise ValueError(f"peak_heights: must be an array of one axis, not of the shape {given.shape}")
+    return [float(one) for one in given], False
 
 
 def _list(quantities: Sequence[str] | None) -> list[str] | None:

@@ -10,6 +10,7 @@
 #include <fstiff/asperity/material.hpp>
 #include <fstiff/asperity/tangential_ratio.hpp>
 #include <fstiff/double/integrals.hpp>
+#include <fstiff/peaks/peak_heights.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/law_after.hpp>
 #include <fstiff/tabulated/slip_motion.hpp>
@@ -154,10 +155,19 @@ Joint joint_of(const Numbers& numbers, const std::string& interaction,
     return joint;
 }
 
+/// \p heights are those of the peaks [m], or their skewness and kurtosis where \p moments is true; empty: Gaussian.
 OneContact of_numbers(const std::string& law, const Numbers& numbers, const std::string& interaction,
-                      const surface::MeasuredSurface* measured) {
+                      const surface::MeasuredSurface* measured, const std::vector<double>& heights, bool moments) {
     const nb::gil_scoped_release free;
-    return actions::make_contact(law, joint_of(numbers, interaction, measured), until_interrupted());
+    Joint joint = joint_of(numbers, interaction, measured);
+    if (!heights.empty()) {
+        if (law != "greenwood_williamson")
+            throw domain_error("peak_heights: are for greenwood_williamson, not for " + law);
+        joint.face.peak_heights = std::make_shared<const PeakHeights<double>>(
+            moments ? PeakHeights<double>::of_moments(heights[0], heights[1])
+                    : PeakHeights<double>::measured(heights, joint.face.rms_height.value_or(0)));
+    }
+    return actions::make_contact(law, std::move(joint), until_interrupted());
 }
 
 /// Arrays of the caller that are filled; none: new ones.
@@ -419,7 +429,7 @@ void add_contacts(nb::module_& m) {
     add_laws(m);
     nb::class_<OneContact>(m, "Contact", "A contact; see fstiff.Contact.")
         .def_static("of_numbers", &of_numbers, nb::arg("law"), nb::arg("numbers"), nb::arg("interaction"),
-                    nb::arg("measured").none())
+                    nb::arg("measured").none(), nb::arg("heights"), nb::arg("moments"))
         .def("at_pressures", &states<&AnyContact::at_pressures>)
         .def("at_separations", &states<&AnyContact::at_separations>)
         .def(

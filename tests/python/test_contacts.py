@@ -38,6 +38,9 @@ CONTACTS = {
 }
 
 
+FINE_PEAKS = {"rms_height": 0.832e-6, "peak_radius": 40e-6, "peak_density": 500e6, "effective_modulus": 112.6e9}
+
+
 def wanted(numbers, key):
     """The rows of C++ at the pressures, and at the separations that follow."""
     return [np.array([numbers[f"{key}/{of}{i}"] for i in range(len(numbers["pressures"]))]) for of in "pd"]
@@ -526,6 +529,33 @@ def test_derivatives_of_a_whole_motion():
     exact = found.by_directions[64:, 1, 1] @ shapes[64:, 1]
     alone = found.tangent[64:, 1, 1] @ shapes[64:, 1] ** 2
     assert abs(alone / exact - 1) > 0.2
+
+
+def test_greenwood_williamson_takes_heights_of_peaks():
+    gaussian = fstiff.Contact("greenwood_williamson", **FINE_PEAKS)
+    p = np.array([1e5, 1e6, 1e7])
+    K = gaussian.at_pressures(p).stiffness
+    same = fstiff.Contact("greenwood_williamson", peak_skewness=0, peak_kurtosis=3, **FINE_PEAKS)
+    np.testing.assert_allclose(same.at_pressures(p).stiffness, K, rtol=3e-3)
+    outliers = fstiff.Contact("greenwood_williamson", peak_skewness=0.5, peak_kurtosis=6, **FINE_PEAKS)
+    assert (outliers.at_pressures(p).stiffness[:2] < 0.9 * K[:2]).all()
+    heights = FINE_PEAKS["rms_height"] * np.random.default_rng(3).normal(size=4000)
+    measured = fstiff.Contact("greenwood_williamson", peak_heights=heights, **FINE_PEAKS)
+    np.testing.assert_allclose(measured.at_pressures(p[2:]).stiffness, K[2:], rtol=0.05)
+    again = pickle.loads(pickle.dumps(measured))
+    np.testing.assert_array_equal(again.at_pressures(p).stiffness, measured.at_pressures(p).stiffness)
+    assert fstiff.Contact("plastic", hardness=2e9, **FINE_PEAKS).at_pressures(1e7).stiffness > 0  # without r and theta
+    for law, wrong, sentence in [
+        ("hertz", {"peak_heights": heights, "r": 0.5, "theta": 1.0}, "peak_heights: are for greenwood_williamson, not for hertz"),
+        ("greenwood_williamson", {"peak_skewness": 1}, "peak_kurtosis: missing"),
+        ("greenwood_williamson", {"peak_heights": heights, "peak_skewness": 0, "peak_kurtosis": 3}, "must not be given with peak_skewness"),
+        ("greenwood_williamson", {"peak_heights": [1e-6]}, "peak_heights = 1: must be 2 heights at least"),
+        ("greenwood_williamson", {"peak_heights": [1e-6, np.nan]}, "peak_heights = nan: must be finite"),
+        ("greenwood_williamson", {"peak_heights": 1e-6}, "peak_heights: must be an array of one axis"),
+        ("greenwood_williamson", {"peak_skewness": 0, "peak_kurtosis": 1e4}, "kurtosis"),
+    ]:
+        with pytest.raises(ValueError, match=sentence):
+            fstiff.Contact(law, **FINE_PEAKS, **wrong)
 
 
 def test_the_law_after_a_load():

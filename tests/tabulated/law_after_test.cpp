@@ -185,6 +185,13 @@ TEST_CASE("law after a load: an elastic law is its own, and what has no unloadin
     for (const double p : {0.0, -1.0, 1e4, 1.01e8, std::nan("")})
         CHECK(test::refused_for("greatest_pressure", [&] { (void)law_after(first_loading(), p, 0.1); }));
     CHECK(test::refused_for("H/(E g)", [&] { (void)law_after(first_loading(), 1e7, -1); }));
+    const double next = std::nextafter(1e8, 0.0);  // the end of the law but for rounding
+    CHECK(test::relative_error(law_after(first_loading(), next, 0.1).stiffness(1e7),
+                               law_after(first_loading(), 1e8, 0.1).stiffness(1e7)) < 1e-12);
+    CHECK(
+        test::refused_for("max_pressure", [&] { (void)law_after(first_loading(), std::nextafter(1e4, 1.0e9), 0.1); }));
+    CHECK(law_after(first_loading(), 1e4 * (1 + 1e-9), 0.1).stiffness(1e6) > 0);
+    CHECK(law_after(first_loading(), 1e8 * (1 - 1e-9), 0.1).stiffness(1e6) > 0);
 }
 
 }  // namespace law_after_test

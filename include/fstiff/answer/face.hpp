@@ -65,9 +65,10 @@ struct Face {
     std::optional<HeightStatistics<double>> heights;  ///< where the surface was measured
     HeightShape<double> shape;                        ///< of the heights, given or as far as a measured one counts
     std::shared_ptr<const MaterialRatioSlope<double>>
-        bearing;                                      ///< of heights over the rms height; none of Gaussian heights
-    std::shared_ptr<const Surface<double>> measured;  ///< none for a sum
-    std::optional<double> lambda_s;                   ///< that it was measured with [m]
+        bearing;  ///< of heights over the rms height; none of Gaussian heights
+    std::shared_ptr<const PeakHeights<double>> peak_heights;  ///< none: Gaussian ones, for Greenwood and Williamson
+    std::shared_ptr<const Surface<double>> measured;          ///< none for a sum
+    std::optional<double> lambda_s;                           ///< that it was measured with [m]
     /// The map with the lambda_s of the tables, which `map` has not: none where lambda_s was given, or there is none.
     std::shared_ptr<const HeightMap<double>> filtered;
     std::vector<Face> neighbours;  ///< with a smaller and a greater lambda_s, where they were measured

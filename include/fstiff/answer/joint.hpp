@@ -32,6 +32,8 @@ namespace detail {
 struct Face;
 }
 template <Real T>
+class PeakHeights;
+template <Real T>
 struct Surface;
 struct JointForm;
 
@@ -66,7 +68,10 @@ struct JointFace {
     std::optional<double> peak_radius{};      ///< R [m], above 0
     std::optional<double> peak_density{};     ///< D_p [1/m^2], above 0
     std::optional<double> max_peak_height{};  ///< R_p [m], above 0
-    std::optional<double> r{}, theta{};       ///< of the joint peaks: both or none, 0 <= r < 1, theta [rad] below pi/2
+    /// Heights of the peaks for laws::greenwood_williamson, in place of Gaussian ones: PeakHeights::measured() or
+    /// of_moments() of fstiff/peaks/peak_heights.hpp.
+    std::shared_ptr<const PeakHeights<double>> peak_heights{};
+    std::optional<double> r{}, theta{};  ///< of the joint peaks: both or none, 0 <= r < 1, theta [rad] below pi/2
     std::optional<double> fractal_dimension{};  ///< D of a profile, above 1 and at most 1.99
     std::optional<double> fractal_roughness{};  ///< G [m], above 0
     Process process = Process::unknown;

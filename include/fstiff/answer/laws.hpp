@@ -155,9 +155,10 @@ struct ContactInputs {
     const MapOfSurface* map = nullptr;  ///< none: numbers alone
     bool spectrum_of_map = false;
     const MaterialRatioSlope<double>* bearing = nullptr;  ///< of heights over the rms height; none: Gaussian heights
-    const QuickHybrid* similar = nullptr;                 ///< of surfaces for a band: K alone counts, to 1e-3
-    PlasticMaterial<double> material{};                   ///< of the softer body
-    ProgressHook progress{};                              ///< called once a state where that takes seconds
+    std::shared_ptr<const PeakHeights<double>> peak_heights{};  ///< none: Gaussian
+    const QuickHybrid* similar = nullptr;                       ///< of surfaces for a band: K alone counts, to 1e-3
+    PlasticMaterial<double> material{};                         ///< of the softer body
+    ProgressHook progress{};                                    ///< called once a state where that takes seconds
 };
 
 /// One law.

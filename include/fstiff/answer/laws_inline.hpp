@@ -56,6 +56,9 @@ std::unique_ptr<AnyContact> joint(const ContactInputs& inputs) {
 }
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> greenwood_williamson_contact(const ContactInputs& inputs) {
+    if (inputs.peak_heights)
+        return erase(GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, *inputs.peak_heights,
+                                                 options_of(inputs)));
     return erase(
         GreenwoodWilliamson<double>(inputs.surface, inputs.effective_modulus, Heights::gaussian, options_of(inputs)));
 }

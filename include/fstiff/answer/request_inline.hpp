@@ -26,6 +26,7 @@ FSTIFF_INLINE void for_each_contact(const ResolvedJoint& problem, const std::vec
                          .map = face.map.get(),
                          .spectrum_of_map = face.spectrum_of_map,
                          .bearing = face.bearing.get(),
+                         .peak_heights = face.peak_heights,
                          .similar = problem.similar.get(),
                          .material = {.effective_modulus = problem.effective_modulus,
                                       .yield_strength = problem.yield_strength.value_or(0),

@@ -181,6 +181,7 @@ FSTIFF_INLINE Face face_of(const JointFace& spec) {
         throw domain_error(Refusal{.parameter = face.parameters.r ? "theta" : "r",
                                    .reason = "is missing; r and theta belong together"});
     take_shape(spec, face);
+    if (spec.peak_heights) face.write([&](Face& f) { f.peak_heights = spec.peak_heights; });
     fill_unknown(face, has_shape);
     for (const auto& [follows, name, value] :
          {std::tuple(face.radius_follows, "peak_radius", face.parameters.peak_radius.value),

@@ -27,6 +27,12 @@ struct GreenwoodWilliamson : RoughContact<T, HertzLaw<T>, SingleRadius<T>> {
                         Heights heights = Heights::gaussian, const RoughContactOptions<T>& options = {})
         : RoughContact<T, HertzLaw<T>, SingleRadius<T>>(surface, SingleRadius<T>{heights}, HertzLaw<T>{},
                                                         effective_modulus, options) {}
+    /// The same of peaks of other heights.
+    GreenwoodWilliamson(const Roughness<T>& surface, std::type_identity_t<T> effective_modulus, PeakHeights<T> heights,
+                        const RoughContactOptions<T>& options = {})
+        : RoughContact<T, HertzLaw<T>, SingleRadius<T>>(
+              surface, SingleRadius<T>{{}, std::make_shared<const PeakHeights<T>>(std::move(heights))}, HertzLaw<T>{},
+              effective_modulus, options) {}
 };
 
 }}  // namespace fstiff

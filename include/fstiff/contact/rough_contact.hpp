@@ -238,8 +238,10 @@ private:
     }
 
     [[nodiscard]] T max_eta() const {
-        if constexpr (std::same_as<Peaks, SingleRadius<T>>)
+        if constexpr (std::same_as<Peaks, SingleRadius<T>>) {
+            if (peaks_.measured) return peaks_.measured->most();
             if (peaks_.heights == Heights::exponential) return detail::max_exponential_eta<T>();
+        }
         return detail::max_gaussian_eta<T>();
     }
 
@@ -247,7 +249,7 @@ private:
     detail::LawSums<T> unscaled(detail::LawSums<T> j, T eta) const {
         T scale = math::gaussian((std::max)(eta, T(0)));
         if constexpr (std::same_as<Peaks, SingleRadius<T>>)
-            if (peaks_.heights == Heights::exponential) scale = std::exp(j.log_scale);
+            if (peaks_.measured || peaks_.heights == Heights::exponential) scale = std::exp(j.log_scale);
         return {j.contacts * scale, j.load * scale, j.stiffness * scale, j.area * scale, j.loading * scale, T(0)};
     }
 

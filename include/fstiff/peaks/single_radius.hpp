@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Peaks of one radius, their heights Gaussian or exponential: the distribution of Greenwood and Williamson.
+/// Peaks of one radius, their heights Gaussian or exponential: the distribution of Greenwood and Williamson. Or heights
+/// that were measured, by PeakHeights.
 ///
 ///     G_n(h) = int_h^inf (s-h)^n phi(s) ds   Gaussian: F_n(h)/sqrt(2 pi);  exponential: exp(-h) Gamma(n+1, max(-h, 0))
 ///
@@ -13,8 +14,10 @@
 /// Accuracy    16 epsilon (tests/contact/greenwood_williamson_test.cpp)
 
 #include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/peaks/peak_heights.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 
 namespace fstiff { inline namespace v0_1 {
@@ -54,10 +57,12 @@ template <Real T>
 template <Real T = double>
 struct SingleRadius {
     Heights heights = Heights::gaussian;
+    std::shared_ptr<const PeakHeights<T>> measured{};  ///< in place of them
 
     /// G_n(h) = first * exp(second): neither under- nor overflows. n = TwiceN/2.
     template <int TwiceN>
     [[nodiscard]] std::pair<T, T> scaled_height_moment(T h) const {
+        if (measured) return measured->template scaled_moment<TwiceN>(h);
         if (heights == Heights::gaussian)
             return {math::scaled_moment<TwiceN>(h) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>,
                     h > 0 ? -h * h / 2 : T(0)};
@@ -65,6 +70,7 @@ struct SingleRadius {
     }
     /// phi(s).
     [[nodiscard]] T density(T s) const {
+        if (measured) return measured->density(s);
         return heights == Heights::gaussian
                    ? std::exp(-s * s / 2) * std::numbers::inv_sqrtpi_v<T> / std::numbers::sqrt2_v<T>
                : s >= 0 ? std::exp(-s)

@@ -110,6 +110,8 @@ public:
     [[nodiscard]] static ContactLaw tabulate_slope(const std::function<T(T pressure)>& slope, const LawRange<T>& range,
                                                    const std::function<T(T pressure)>& stiffness = {}) {
         detail::require_range(range);
+        detail::require(range.max_pressure / range.min_pressure > 1 + 32 * std::numeric_limits<T>::epsilon(),
+                        "max_pressure", range.max_pressure, "further above min_pressure than rounding");
         if (range.outside == OutsideRange::exact)
             detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
         ContactLaw result;

@@ -18,7 +18,8 @@
 #include <fstiff/contact/earlier_load.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -47,9 +48,9 @@ template <Real T>
     const auto part = [&](const auto& slope, T from, T to) {
         return ContactLaw<T>::tabulate_slope(slope, {from, to, first_loading.outside()});
     };
+    const bool ends = greatest_pressure > most * (1 - 64 * std::numeric_limits<T>::epsilon());
     return ContactLaw<T>::joined(part(opening, least, greatest_pressure),
-                                 greatest_pressure < most ? part(closing, greatest_pressure, most) : ContactLaw<T>(),
-                                 d);
+                                 ends ? ContactLaw<T>() : part(closing, greatest_pressure, most), d);
 }
 
 }}  // namespace fstiff
