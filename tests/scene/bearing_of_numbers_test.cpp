@@ -80,7 +80,7 @@ TEST_CASE("hybrid of a Gaussian bearing curve is that of Gaussian numbers") {
         rest.substr(0, rest.find("laws")) + "laws = [\"plastic\"]\n[uncertainty]\nsamples = 0\n";
     CHECK(stiffnesses(read(numbers + "skewness = 0\nkurtosis = 3\n", plastic)) == stiffnesses(read(numbers, plastic)));
     CHECK(largest_change(stiffnesses(read(numbers + gaussian_core('S'), plastic)),
-                         stiffnesses(read(numbers, plastic))) < 1e-5);
+                         stiffnesses(read(numbers, plastic))) < 2e-3);  // by the bound of a bearing curve, 6e-4 here
 }
 
 TEST_CASE("hybrid of skewness and kurtosis is the library's, and a list of the same heights agrees") {

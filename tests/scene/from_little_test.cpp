@@ -181,7 +181,8 @@ TEST_CASE("A surface of R and D_p that no Gaussian surface has takes them for th
         CHECK(answer.points[i].stiffness.low < 0.11e15);  // of a shape that is not known, too
         CHECK(test::relative_error(answer.points[i].state.stiffness.value, 0.14e15) < 0.12);
         CHECK(answer.points[i].stiffness.high > 0.18e15);
-        CHECK(answer.points[i].stiffness.high < 6 * answer.points[i].of_faces().low);
+        // 6.3: heights with a flat top, which are possible too, have a stiffer cut
+        CHECK(answer.points[i].stiffness.high < 6.5 * answer.points[i].of_faces().low);
     }
 }
 

@@ -100,9 +100,15 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> hybrid_contact(const ContactInputs& in
     return std::make_unique<QuickContact<Itself>>(inputs, hybrid_of_numbers, Itself());
 }
 
-/// Yielded peaks, from numbers: the cut of a Gaussian surface.
-FSTIFF_INLINE GaussianCut<double> gaussian_cut(const ContactInputs& inputs) {
-    return {std::sqrt(inputs.moments.m0), std::sqrt(2 * inputs.moments.m2), inputs.effective_modulus};
+/// Yielded peaks, from numbers: the cut of Gaussian heights or of \p bearing, that of \p inputs or a copy.
+FSTIFF_INLINE BearingCut<double> cut_of(const ContactInputs& inputs,
+                                        std::shared_ptr<const MaterialRatioSlope<double>> bearing) {
+    return {{std::sqrt(inputs.moments.m0), std::sqrt(2 * inputs.moments.m2), inputs.effective_modulus},
+            std::move(bearing)};
+}
+/// The same while \p inputs has its bearing curve.
+FSTIFF_INLINE BearingCut<double> cut_of(const ContactInputs& inputs) {
+    return cut_of(inputs, {std::shared_ptr<void>(), inputs.bearing});  // owns nothing
 }
 
 /// Plastic as the law of hybrid of a QuickContact.
@@ -110,10 +116,10 @@ struct Flowing {
     double hardness;
     std::optional<double> stiffness(const ContactInputs& inputs, double K, double p) const {
         const double s = p / hardness;
-        return s < 1 ? std::optional(detail::yielded(s, gaussian_cut(inputs).stiffness(s), K).stiffness) : std::nullopt;
+        return s < 1 ? std::optional(detail::yielded(cut_of(inputs), s, K, hardness).stiffness) : std::nullopt;
     }
     QuickHybrid::PressureOver pressure(const ContactInputs& inputs) const {
-        const PlasticContact contact(QuickElastic(inputs), gaussian_cut(inputs), hardness);
+        const PlasticContact contact(QuickElastic(inputs), cut_of(inputs), hardness);
         return [contact](double separation) -> std::optional<double> {
             try {
                 return std::exp(contact.log_pressure(separation / contact.rms_height()).log);
@@ -125,8 +131,9 @@ struct Flowing {
 };
 
 FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_of_numbers(const ContactInputs& inputs) {
+    const auto bearing = inputs.bearing ? std::make_shared<const MaterialRatioSlope<double>>(*inputs.bearing) : nullptr;
     return with_hybrid_of_band(inputs, [&](auto&& contact) {
-        return PlasticContact(std::move(contact), gaussian_cut(inputs), inputs.material.hardness_or_default());
+        return PlasticContact(std::move(contact), cut_of(inputs, bearing), inputs.material.hardness_or_default());
     });
 }
 
