@@ -108,6 +108,39 @@ TEST_CASE(
     CHECK(of_shape(map, {1, 0.1}, {5, 0.2}).low == law_error(map).low);
 }
 
+TEST_CASE("Heights that are far from Gaussian widen plastic numbers by rows of their own at p/H") {
+    // H/(E g) = 1e-3: hybrid has 4e-6 of the square; p/H = 0.01, 0.03 and 0.25, and less than the table has
+    Question question{.law = LawKind::plastic, .known = KnownAs::numbers, .p_star = 1e-5, .hardness = 1e-3};
+    for (const auto& [share, low, high] :
+         {std::array{1e-2, 0.94, 0.46}, {3e-2, 0.94, 0.46}, {0.25, 0.52, 0.0}, {3e-4, 1.3, 0.46}, {1e-4, 1.3, 0.46}}) {
+        question.p_star = share * question.hardness;
+        const auto plain = law_error(question);
+        CAPTURE(share);
+        for (const bool alpha_known : {false, true}) {
+            question.alpha_known = alpha_known;
+            const auto half = of_shape(question, {0.3, 0.1}, {3.4, 0.2}), all = of_shape(question, {-1, 0.1}, {5, 0.2});
+            CHECK(test::relative_error(half.low, -std::hypot(plain.low, low / 2)) < 1e-4);
+            CHECK(test::relative_error(half.high, std::hypot(plain.high, high / 2)) < 1e-4);
+            CHECK(test::relative_error(all.low, -std::hypot(plain.low, low)) < 1e-4);
+            CHECK(test::relative_error(all.high, std::hypot(plain.high, high)) < 1e-4);
+        }
+    }
+    // a shape that is not known has the rows of elastic peaks, at p/H
+    question.p_star = 1e-5, question.shape_known = question.alpha_known = false;
+    const auto plain = law_error(question), open = of_shape(question, {-1, 0.1}, {5, 0.2});
+    CHECK(test::relative_error(open.low, -std::hypot(plain.low, 0.78)) < 1e-4);
+    CHECK(test::relative_error(open.high, std::hypot(plain.high, 0.45)) < 1e-4);
+    question.shape_known = true;
+    // that of hybrid at p* for a great H; of a trace the row is the same at p* and p/H
+    question.p_star = 0.03, question.hardness = 1e4, question.alpha_known = false;
+    const auto hard = of_shape(question, {-1, 0.1}, {5, 0.2});
+    question.law = LawKind::hybrid;
+    CHECK(test::relative_error(hard.low, of_shape(question, {-1, 0.1}, {5, 0.2}).low) < 1e-4);
+    question = {.law = LawKind::plastic, .known = KnownAs::trace, .p_star = 1e-4, .hardness = 1e-3};
+    const auto trace = law_error(question), shaped = of_shape(question, {-1, 0.1}, {5, 0.2});
+    CHECK(test::relative_error(shaped.high, std::hypot(trace.high, 0.6)) < 1e-12);
+}
+
 TEST_CASE("The error of plastic is that of p/H, does not grow where K goes as p/H, and that of hybrid for a great H") {
     Question question{.law = LawKind::plastic, .known = KnownAs::numbers, .p_star = 1e-6, .hardness = 1e-4};
     const detail::LawErrorRow row = detail::law_error_row(LawKind::plastic, KnownAs::numbers);

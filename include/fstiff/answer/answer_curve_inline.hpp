@@ -104,6 +104,7 @@ FSTIFF_INLINE CauseSpread<double> law_error(const ResolvedJoint& problem, LawKin
     LawErrorQuestion<double> question{.law = law, .known = known_as(problem)};
     if (reason.p_star) question.p_star = *reason.p_star, question.hardness = relative_hardness(problem).value_or(0);
     question.alpha_known = !problem.face.is_open(Unknown::alpha);
+    question.shape_known = !problem.face.is_open(Unknown::skewness);
     const HeightShape<double> shape = farthest_shape(problem.face);
     if (const auto& heights = problem.face.heights; heights && heights->kurtosis.value != 0)
         question.skewness = heights->skewness, question.kurtosis = heights->kurtosis;

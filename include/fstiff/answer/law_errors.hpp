@@ -46,8 +46,9 @@ struct LawErrorQuestion {
     KnownAs known = KnownAs::map;
     T p_star = std::numeric_limits<T>::quiet_NaN(), hardness{};  ///< hardness: H/(E g); 0: not known
     std::optional<Measurement<T>> skewness{}, kurtosis{};        ///< of heights, measured or taken
-    bool alpha_known = false;                                    ///< of numbers, Nayak's m0 m4/m2^2
-    T long_waves{};  ///< relative error of sigma that waves as long as the piece make; 0: none
+    bool shape_known = true;   ///< of numbers: skewness and kurtosis are given, not the far end of their prior
+    bool alpha_known = false;  ///< of numbers, Nayak's m0 m4/m2^2
+    T long_waves{};            ///< relative error of sigma that waves as long as the piece make; 0: none
 };
 
 /// p/H to which plastic was compared (tests/contact/plastic_contact_map_test.cpp).
@@ -61,10 +62,11 @@ using LawErrorTable = std::array<int, law_error_pressures.size()>;
 // clang-format off
 struct LawErrorRow { LawErrorTable low, high; };
 /// Of heights that are far from Gaussian: faces of one skewness and kurtosis differ where few points carry and, by
-/// their patches, where many do.
+/// their patches, where many do. Those of flow are read at p/H, and were set on the law with its bearing curve.
 inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}, {60, 60, 60, 60, 60, 60, 60}},
     shape_errors_of_numbers{{120, 120, 110, 78, 33, 33, 25}, {75, 75, 50, 45, 28, 54, 55}},
-    shape_errors_with_alpha{{120, 120, 110, 78, 33, 33, 20}, {75, 75, 50, 45, 28, 54, 44}};
+    shape_errors_with_alpha{{120, 120, 110, 78, 33, 33, 20}, {75, 75, 50, 45, 28, 54, 44}},
+    shape_errors_of_flow{{130, 130, 130, 94, 94, 52, 52}, {46, 46, 46, 46, 46, 0, 0}};
 // clang-format on
 
 /// The row of \p law.
@@ -121,13 +123,15 @@ template <Real T>
     T low = std::hypot(spread(flowed.low, elastic.low, 0), (map ? T(0.8) : T(trace)) * question.long_waves),
       high = std::hypot(spread(flowed.high, elastic.high, 0), (map ? T(0.8) : T(0)) * question.long_waves);
     if (question.known != KnownAs::map && question.skewness && question.kurtosis) {
-        const auto& table = question.known == KnownAs::trace ? shape_errors_of_traces
-                            : question.alpha_known           ? shape_errors_with_alpha
-                                                             : shape_errors_of_numbers;
+        const bool of_trace = question.known == KnownAs::trace;
+        const LawErrorRow &alone = of_trace               ? shape_errors_of_traces
+                                   : question.alpha_known ? shape_errors_with_alpha
+                                                          : shape_errors_of_numbers,
+                          &flowing = of_trace || !question.shape_known ? alone : shape_errors_of_flow;
         const T m = (std::min)(std::hypot(question.skewness->value, question.kurtosis->value - 3), T(1));
         const T first = T(law_error_pressures.front());  // it does not grow below
-        low = std::hypot(low, m * spread(table.low, table.low, first)),
-        high = std::hypot(high, m * spread(table.high, table.high, first));
+        low = std::hypot(low, m * spread(flowing.low, alone.low, first)),
+        high = std::hypot(high, m * spread(flowing.high, alone.high, first));
     }
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }
