@@ -3,17 +3,21 @@
 #include "methods.hpp"
 #include "row.hpp"
 
-#include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/tabulated/slip_motion.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace {
 
 using namespace bench;
 
 using Friction = fstiff::TangentialLaw<double>;
-constexpr double coefficient = 0.3, stiffness_ratio = 0.82;
+constexpr double coefficient = 0.3, stiffness_ratio = 0.82, pi = std::numbers::pi;
 
 const Friction& rough() {
     static const Friction kept = [] {
@@ -102,6 +106,89 @@ void step_rows(const std::string& directions) {
         });
 }
 
+/// A cycle of 600 contacts in 128 steps, each preloaded by its own pressure: along a line, or turning in the plane. With
+/// derivatives by nine amplitudes; \p scale is of the first.
+struct Motion {
+    static constexpr std::size_t contacts = 600, steps = 128, amplitudes = 9;
+    std::vector<double> separations, slips, by, first_slips;
+
+    Motion(bool turns, double scale) {
+        for (std::size_t c = 0; c < contacts; ++c) {
+            const double p = min_pressure * std::pow(max_pressure / min_pressure, 0.3 + 0.4 * double(c) / contacts),
+                         d = rough().normal().separation(p), u = p / rough().normal().stiffness(p);
+            first_slips.push_back(0.5 * coefficient / stiffness_ratio * u);
+            double last[2] = {0, 0};
+            for (std::size_t i = 0; i < steps; ++i) {
+                const double phase = 2 * pi * double(i) / steps;
+                const double at[2] = {scale * first_slips.back() * std::sin(phase),
+                                      0.2 * coefficient / stiffness_ratio * u * std::sin(phase + (turns ? 0.5 : 0))};
+                separations.push_back(d - 0.1 * u * std::sin(phase + 0.3));
+                for (int k = 0; k < 2; ++k) slips.push_back(at[k] - last[k]), last[k] = at[k];
+            }
+        }
+        for (std::size_t i = 0; i < steps; ++i)
+            for (std::size_t row = 0; row < 3; ++row)
+                for (std::size_t k = 0; k < amplitudes; ++k) {
+                    const auto shape = [&](std::size_t step) {
+                        const double phase = 2 * pi * double(step) / steps;
+                        return k % 3 == 0 ? std::sin(phase) : k % 3 == 1 ? std::cos(phase) : 1;
+                    };
+                    const double before = row > 0 && i > 0 ? shape(i - 1) : 0;
+                    by.push_back(k / 3 == row ? shape(i) - before : 0);
+                }
+    }
+    [[nodiscard]] fstiff::SlipResponses<double> answer(bool derivatives) const {
+        const Friction* const law = &rough();
+        fstiff::SlipResponses<double> found;
+        fstiff::slip_responses<double>(
+            std::span(&law, 1),
+            {.contacts = contacts,
+             .steps = steps,
+             .separations = separations,
+             .slips = slips,
+             .motion_by = derivatives ? std::span<const double>(by) : std::span<const double>(),
+             .directions = derivatives ? amplitudes : 0},
+            found);
+        return found;
+    }
+};
+
+/// The error is that of the derivative by the amplitude of the first slip, of the sine in its traction, against a
+/// difference: what the Jacobian of a harmonic balance is made of.
+Accuracy accuracy_of_motion(bool turns) {
+    constexpr double h = 1e-6;
+    constexpr std::size_t steps = Motion::steps;
+    const Motion middle(turns, 1);
+    const auto exact = middle.answer(true), up = Motion(turns, 1 + h).answer(false),
+               down = Motion(turns, 1 - h).answer(false);
+    AccuracyCollector collector;
+    for (std::size_t c = 0; c < Motion::contacts; ++c) {
+        double by = 0, difference = 0;
+        for (std::size_t i = 0; i < steps; ++i) {
+            const std::size_t at = c * steps + i;
+            const double weight = std::sin(2 * pi * double(i) / steps);
+            by += weight * exact.responses_by[(3 * at + 1) * Motion::amplitudes + 3];
+            difference += weight * (up.tractions[2 * at] - down.tractions[2 * at]) / (2 * h * middle.first_slips[c]);
+        }
+        collector.add(by, difference);
+    }
+    return collector.accuracy();
+}
+
+void motion_rows(bool turns) {
+    for (const bool derivatives : {false, true})
+        verified_row(
+            std::string("friction/motion/") + (turns ? "turning" : "line") + (derivatives ? "/derivatives" : ""), 1e-4,
+            [=] { return accuracy_of_motion(turns); },
+            [=](benchmark::State& state) {
+                const Motion motion(turns, 1);
+                for (auto _ : state) {
+                    auto found = motion.answer(derivatives);
+                    benchmark::DoNotOptimize(found);
+                }
+            });
+}
+
 const Rows rows_of_friction([] {
     const auto first = [](const Slip& at) { return rough().first_slip(at.separation, at.forth).traction; };
     friction_row("friction/first_slip", &Slip::traction, first,
@@ -111,6 +198,7 @@ const Rows rows_of_friction([] {
                  [](const Slip& at, std::size_t) { return rough().normal().tangent_at_separation(at.separation); });
     step_rows<1>("line");
     step_rows<2>("plane");
+    for (const bool turns : {false, true}) motion_rows(turns);
 });
 
 }  // namespace
