@@ -106,8 +106,8 @@ void step_rows(const std::string& directions) {
         });
 }
 
-/// A cycle of 600 contacts in 128 steps, each preloaded by its own pressure: along a line, or turning in the plane. With
-/// derivatives by nine amplitudes; \p scale is of the first.
+/// A cycle of 600 contacts in 128 steps, each preloaded by its own pressure: along a line, or turning in the plane.
+/// With derivatives by nine amplitudes; \p scale is of the first.
 struct Motion {
     static constexpr std::size_t contacts = 600, steps = 128, amplitudes = 9;
     std::vector<double> separations, slips, by, first_slips;

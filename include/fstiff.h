@@ -129,10 +129,10 @@ FSTIFF_API int fstiff_law_make(const fstiff_contact* contact, double min_pressur
  * the time of fstiff_answer() and 0.6 ms; a look-up takes some nanoseconds. */
 FSTIFF_API int fstiff_answer_law(const fstiff_joint* joint, const double* pressures, size_t count, double quantile,
                                  double min_pressure, double max_pressure, int outside, fstiff_law** made);
-/** The law of fstiff_answer() for a joint that has carried greatest_pressure [Pa]: reversible below it, along the first
- * loading above, with which it shares separations; friction takes it. 0: the law of the first loading itself, by which a
- * joint is tightened. Of an elastic answer both are fstiff_answer_law(). Of a joint whose own greatest_pressure is not 0
- * it is that pressure, and one of `pressures`. The rest as fstiff_answer_law(). */
+/** The law of fstiff_answer() for a joint that has carried greatest_pressure [Pa]: reversible below it, along the
+ * first loading above, with which it shares separations; friction takes it. 0: the law of the first loading itself, by
+ * which a joint is tightened. Of an elastic answer both are fstiff_answer_law(). Of a joint whose own greatest_pressure
+ * is not 0 it is that pressure, and one of `pressures`. The rest as fstiff_answer_law(). */
 FSTIFF_API int fstiff_answer_law_after(const fstiff_joint* joint, const double* pressures, size_t count,
                                        double quantile, double greatest_pressure, double min_pressure,
                                        double max_pressure, int outside, fstiff_law** made);
@@ -237,7 +237,7 @@ typedef struct fstiff_motion {
     size_t directions;         /**< numbers that the motion depends on, such as amplitudes of harmonics; 0: none */
     const double* motion_by;   /**< d(-d, s1, s2) of each step, three rows of `directions` */
     int by_of_each;            /**< 0: motion_by is that of every contact; else of each of them */
-    fstiff_slip* states;       /**< before and, after the call, behind the motion; NULL: nothing has slipped before */
+    fstiff_slip* states;       /**< before the motion, and on return after it; NULL: nothing has slipped before */
     double* pressures;         /**< p [Pa] */
     double* tractions;         /**< q, two numbers a step [Pa] */
     double* tangents;          /**< as of fstiff_friction_step(), nine numbers a step: of that step alone */

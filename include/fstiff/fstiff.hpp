@@ -107,6 +107,7 @@
 #include <fstiff/peaks/law_means.hpp>
 #include <fstiff/peaks/law_sums.hpp>
 #include <fstiff/peaks/peak_distribution.hpp>
+#include <fstiff/peaks/peak_heights.hpp>
 #include <fstiff/peaks/peak_nodes.hpp>
 #include <fstiff/peaks/peak_sums.hpp>
 #include <fstiff/peaks/quantity.hpp>
@@ -137,14 +138,15 @@
 #include <fstiff/tabulated/ball_contact.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/kinked_tabulator.hpp>
+#include <fstiff/tabulated/law_after.hpp>
 #include <fstiff/tabulated/law_batches.hpp>
 #include <fstiff/tabulated/law_tables.hpp>
 #include <fstiff/tabulated/law_tabulator.hpp>
 #include <fstiff/tabulated/law_text.hpp>
 #include <fstiff/tabulated/mean_over_shifts.hpp>
+#include <fstiff/tabulated/slip_motion.hpp>
 #include <fstiff/tabulated/slip_path.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
-#include <fstiff/tabulated/slip_motion.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 #include <fstiff/measure/concerns.hpp>

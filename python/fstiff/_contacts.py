@@ -530,9 +530,9 @@ def _paths(
     d = np.ascontiguousarray(d)
     given = np.zeros((steps, 3, 0)) if directions is None else numbers(directions, "directions")
     of_each = given.ndim > 3
-    wanted = (*(leading if of_each else ()), steps, 3)
-    if given.ndim < 3 or given.shape[:-1] != wanted:
-        raise ValueError(f"directions: must be of the shape {(*wanted, 'numbers')}, not {given.shape}")
+    rows_of = (*(leading if of_each else ()), steps, 3)
+    if given.ndim < 3 or given.shape[:-1] != rows_of:
+        raise ValueError(f"directions: must be of the shape {(*rows_of, 'numbers')}, not {given.shape}")
     if before is None:
         before = [_core.Slip(float(row[0]) if steps else 0.0) for row in d]
     elif isinstance(before, _core.Slip):

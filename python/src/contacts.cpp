@@ -341,8 +341,8 @@ std::vector<Out> slipped(const Laws& laws, const In& friction, const In& ratio, 
     return {one.take(), other.take()};
 }
 
-/// p, q, their tangents, and their derivatives by the directions of \p motion_by, of each step of \p contacts; the slips
-/// go with them, and the energy that each stores in the end.
+/// p, q, their tangents, and their derivatives by the directions of \p motion_by, of each step of \p contacts; the
+/// slips go with them, and the energy that each stores in the end.
 nb::tuple moved(const Laws& laws, const In& friction, const In& ratio, std::size_t contacts, std::vector<Slip> slips,
                 const In& separations, const In& steps_by, const In& motion_by, std::size_t directions,
                 std::size_t threads) {

@@ -20,8 +20,8 @@ struct LawOfAnswer {
 };
 
 /// The law at \p quantile of the answer of \p scene, 0.05, 0.5 or 0.95, from \p from to \p to [Pa]; after the greatest
-/// pressure \p after [Pa] if that is given. Its nodes are the points of the answer of the scene, and so many between them
-/// that cubics follow K within 1e-3.
+/// pressure \p after [Pa] if that is given. Its nodes are the points of the answer of the scene, and so many between
+/// them that cubics follow K within 1e-3.
 /// \throws domain_error as compute(), Answer::law_at() and Answer::law_after().
 [[nodiscard]] LawOfAnswer law_of_answer(const scene::Scene& scene, double quantile, double from, double to,
                                         const std::optional<double>& after, const ProgressHook& progress);

@@ -222,7 +222,7 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
             if (one.is_string() && written(one) == "best")
                 throw domain_error(
                     source.at(one) + ": " + contact.key("laws") +
-                    ": \"best\" must stand alone, as laws = \"best\"; the answer is computed next to any laws");
+                    ": \"best\" goes alone, as laws = \"best\"; the answer is computed next to any laws");
     std::vector<const detail::Law*> chosen;
     const auto names = detail::law_names();
     for (const auto i : source.choices(*node, contact.key("laws"), names))

@@ -81,7 +81,7 @@ SlipResponses<double> answer_of(const std::vector<Harmonics>& contacts, bool wit
     return found;
 }
 
-/// \p turn: of the second direction, which lags behind; 0 of a motion along a line.
+/// \p turn: of the second direction, a quarter of a cycle late; 0 of a motion along a line.
 Harmonics harmonics(double share_of_full_slip, double opening, double turn) {
     const double p = 10e6, d = rough().normal().separation(p), u = p / rough().normal().stiffness(p);
     const double s = share_of_full_slip * mu / ratio * u, a = opening * u;
@@ -93,8 +93,8 @@ double number(const SlipResponses<double>& found, std::size_t at, std::size_t ro
     return row == 0 ? found.pressures[at] : found.tractions[2 * at + row - 1];
 }
 
-/// The derivatives by \p column at all steps against differences, over the largest of any column. The nodes that stand for
-/// a path change at some amplitudes, where it is not smooth, so that the step is made less until none is between.
+/// The derivatives by \p column at all steps against differences, over the largest of any column. The nodes of a path
+/// change at some amplitudes, where it is not smooth, so that the step is made less until none is between.
 double worst_derivative(const Harmonics& motion, std::size_t column) {
     const SlipResponses<double> exact = answer_of({motion}, true);
     const double size = *std::max_element(motion.amplitudes.begin(), motion.amplitudes.end());

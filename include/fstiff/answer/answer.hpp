@@ -183,7 +183,8 @@ struct Answer : AnswerCurve {
     [[nodiscard]] ContactLaw<double> law_at(double quantile, const LawRange<double>& range) const;
 
     /// The law of the first loading, by which a joint is tightened: p(d), and K of unloading from it. Separations as
-    /// law_at(); of an elastic answer it is that. \throws domain_error as law_at(), and of a joint that has carried more.
+    /// law_at(); of an elastic answer it is that. \throws domain_error as law_at(), and of a joint that has carried
+    /// more.
     [[nodiscard]] ContactLaw<double> loading_law(double quantile, const LawRange<double>& range) const;
     /// The law of a joint that has carried \p greatest [Pa]: reversible below it, along loading_law() above, with which
     /// it shares separations (fstiff/tabulated/law_after.hpp). Friction takes it. Of an elastic answer it is law_at().

@@ -20,8 +20,8 @@ namespace detail {
 
 using LogNodes = std::vector<std::pair<double, double>>;  ///< of a quantity over the pressure
 
-/// ln K and ln(-dp/dd) of the faces over ln p at the points of an answer, at a value or an end of its band: -dp/dd is as
-/// far from its value as K. Where it is not known, as of boundary elements of peaks that yield, it is that of the
+/// ln K and ln(-dp/dd) of the faces over ln p at the points of an answer, at a value or an end of its band: -dp/dd is
+/// as far from its value as K. Where it is not known, as of boundary elements of peaks that yield, it is that of the
 /// separations on both sides.
 class NodesOfAnswer {
 public:

@@ -126,19 +126,7 @@ public:
     [[nodiscard]] static ContactLaw joined(const ContactLaw& below, const ContactLaw& above,
                                            std::type_identity_t<T> separation) {
         ContactLaw result = below;
-        auto& tables = result.tables_;
-        std::vector<detail::Parabola<T>> pieces = below.tables_.kinked.pieces();
-        const T fall = separation - pieces.back().separation;
-        for (auto& piece : pieces) piece.separation += fall;
-        if (!above.empty()) {
-            pieces.pop_back();
-            const T drop = separation - above.tables_.kinked.furthest();
-            for (auto piece : above.tables_.kinked.pieces()) piece.separation += drop, pieces.push_back(piece);
-            tables.max_pressure = above.tables_.max_pressure;
-            tables.relative_error = (std::max)(tables.relative_error, above.tables_.relative_error);
-            tables.evaluations += above.tables_.evaluations;
-        }
-        tables.kinked = detail::KinkedTables<T>(std::move(pieces));
+        result.tables_ = detail::joined(below.tables_, above.tables_, separation);
         return result;
     }
 

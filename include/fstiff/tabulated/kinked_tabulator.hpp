@@ -39,9 +39,9 @@ public:
     /// \p ratio: K over -dp/dd; 0 where that is no constant.
     KinkedTabulator(Law law, T ratio, T rms_height) : law_(std::move(law)), ratio_(ratio), rms_(rms_height) {}
 
-    /// The table of a smooth K, at nodes 1/20 of p apart and without a separation of the law: that of the greatest pressure
-    /// is 0. \p own is another K than that, whose slope is p then; none: ratio times it. A tenth of the evaluations of
-    /// tabulate(). \throws domain_error as it.
+    /// The table of a smooth K, at nodes 1/20 of p apart and without a separation of the law: that of the greatest
+    /// pressure is 0. \p own is another K than that, whose slope is p then; none: ratio times it. A tenth of the
+    /// evaluations of tabulate(). \throws domain_error as it.
     [[nodiscard]] LawTables<T> tabulate_evenly(T min_pressure, T max_pressure,
                                                const std::function<T(T pressure)>& own) {
         constexpr T width = T(0.05);

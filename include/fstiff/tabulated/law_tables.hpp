@@ -307,6 +307,25 @@ struct LawTables {
     }
 };
 
+/// \p below with its greatest pressure at \p separation, and \p above from there on, both of parabolas; the latter may
+/// be empty.
+template <Real T>
+[[nodiscard]] LawTables<T> joined(LawTables<T> below, const LawTables<T>& above, T separation) {
+    std::vector<Parabola<T>> pieces = below.kinked.pieces();
+    const T fall = separation - pieces.back().separation;
+    for (auto& piece : pieces) piece.separation += fall;
+    if (!above.empty()) {
+        pieces.pop_back();
+        const T drop = separation - above.kinked.furthest();
+        for (auto piece : above.kinked.pieces()) piece.separation += drop, pieces.push_back(piece);
+        below.max_pressure = above.max_pressure;
+        below.relative_error = (std::max)(below.relative_error, above.relative_error);
+        below.evaluations += above.evaluations;
+    }
+    below.kinked = KinkedTables<T>(std::move(pieces));
+    return below;
+}
+
 }  // namespace detail
 
 }}  // namespace fstiff

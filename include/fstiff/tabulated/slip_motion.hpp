@@ -31,8 +31,8 @@ struct SlipMotion {
     std::size_t contacts = 0, steps = 0;
     std::span<const T> separations{};  ///< at the end of each step [m]
     std::span<const T> slips{};        ///< of each step, two numbers [m]
-    /// d(-separation, slip) of each step, three numbers by each of `directions`; of all contacts alike, or of each. They
-    /// begin with the first step: what was before it does not depend on them.
+    /// d(-separation, slip) of each step, three numbers by each of `directions`; of all contacts alike, or of each.
+    /// They begin with the first step: what was before it does not depend on them.
     std::span<const T> motion_by{};
     std::size_t directions = 0;
     std::span<SlipState<T, 2>> states{};  ///< before the first step, and then after the last; none: nothing has slipped

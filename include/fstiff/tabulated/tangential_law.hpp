@@ -140,8 +140,8 @@ public:
         T loss_factor;  ///< W/(pi q s), W over 2 pi times q s/2; 4/pi where all slips, 0 where all sticks
     };
 
-    /// Without \p friction, 0, there is no traction. \throws domain_error for an empty law, one whose K is not -dp/dd, a
-    /// negative friction and a ratio that is not positive.
+    /// Without \p friction, 0, there is no traction. \throws domain_error for an empty law, one whose K is not -dp/dd,
+    /// a negative friction and a ratio that is not positive.
     TangentialLaw(const ContactLaw<T>& law, T friction, T ratio)
         : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)),
           friction_(friction),
@@ -205,9 +205,9 @@ public:
         Eigen::Matrix<T, Directions, Columns> traction_by;  ///< dq of each number
     };
     /// step() whose separation and slip have the derivatives \p separation_by and \p slip_by by some numbers, such as
-    /// the amplitudes of harmonics; \p by are those of the memory, before and after, 0 before any slip. They are carried
-    /// through stick and slip, so that those of p and q are of all steps. They are exact where the memory has room:
-    /// of more than SlipState::capacity nodes those go that change the traction least.
+    /// the amplitudes of harmonics; \p by are those of the memory, before and after, 0 before any slip. They are
+    /// carried through stick and slip, so that those of p and q are of all steps. They are exact where the memory has
+    /// room: of more than SlipState::capacity nodes those go that change the traction least.
     template <int Directions, int Columns>
     MotionResponse<Directions, Columns> step(SlipState<T, Directions>& state, T separation,
                                              const std::type_identity_t<Vector<Directions>>& slip,
