@@ -206,6 +206,31 @@ TEST_CASE("slip motion: without friction there is no traction, and no derivative
     CHECK(smooth.stored_energy(state) == 0);
 }
 
+TEST_CASE("slip motion: an open contact has no pressure and no traction, stays finite, and touches again unslipped") {
+    const double d = rough().normal().separation(10e6), far = 1e-3;
+    const std::vector<double> separations{d, d, far, far, d, d}, slips{0, 0, 1e-6, 0, 1e-6, 0, 1e-3, 0, 0, 0, 1e-9, 0};
+    std::vector<double> by(3 * separations.size(), 1.0);
+    const Friction* const law = &rough();
+    SlipResponses<double> found;
+    slip_responses<double>(std::span(&law, 1),
+                           {.contacts = 1,
+                            .steps = separations.size(),
+                            .separations = separations,
+                            .slips = slips,
+                            .motion_by = by,
+                            .directions = 1},
+                           found);
+    for (const std::vector<double>* numbers :
+         {&found.pressures, &found.tractions, &found.tangents, &found.responses_by})
+        CHECK(std::all_of(numbers->begin(), numbers->end(), [](double x) { return std::isfinite(x); }));
+    CHECK(found.pressures[2] == 0);
+    CHECK(found.tractions[6] == 0);
+    CHECK(std::abs(found.tractions[8]) < 1e-6 * found.pressures[4]);
+    CHECK(found.pressures[4] == found.pressures[0]);
+    const double fresh = rough().first_slip(d, 1e-9).traction;
+    CHECK(std::abs(found.tractions[10] / fresh - 1) < 1e-6);
+}
+
 TEST_CASE("slip motion: arrays of other sizes and numbers that are not finite are refused") {
     const Friction* const law = &rough();
     const double d = rough().normal().separation(10e6), nan = std::numeric_limits<double>::quiet_NaN();

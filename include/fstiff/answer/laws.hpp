@@ -37,7 +37,12 @@
 #include <utility>
 #include <vector>
 
-namespace fstiff { inline namespace v0_1 { namespace detail {
+namespace fstiff { inline namespace v0_1 {
+
+template <Real T>
+class PeakHeights;
+
+namespace detail {
 
 /// The bearing curve of heights over their rms; none of a Gaussian shape. \throws domain_error as bearing_of_moments.
 [[nodiscard]] std::shared_ptr<const MaterialRatioSlope<double>> bearing_of_shape(const HeightShape<double>& shape);
@@ -193,7 +198,8 @@ struct Law {
 /// The law called \p name; null when there is none.
 [[nodiscard]] const Law* find_law(std::string_view name);
 
-}}}  // namespace fstiff::detail
+}  // namespace detail
+}}  // namespace fstiff
 
 namespace fstiff { inline namespace v0_1 {
 
