@@ -317,6 +317,17 @@ def tables_of_metals(judge):
                      table(["σ [µm]", "law", "K answer, band [GPa/µm]", "K/hertz", "K/greenwood_williamson", "the same over 2.2"], lines)).rstrip()
 
 
+def table_of_beam():
+    """The modes of a bolted beam by K of each law, of a finite-element model outside of this repository."""
+    of = {}
+    for row in rows("brake_reuss_beam.csv"):
+        of.setdefault(row["law"], {})[row["faces"]] = [row[key] for key in ("load mean of K [MPa/um]", *(f"{n} mode [Hz]" for n in ("first", "second", "third")))]
+    missing = ["–"] * 4
+    lines = [[law, *faces.get("flat", missing), *faces.get("form", missing)] for law, faces in of.items()]
+    modes = ["first [Hz]", "second", "third"]
+    return "\n".join(table(["K of each element by", "flat: K [MPa/µm]", *modes, "with form: K", *modes], lines)).rstrip()
+
+
 def joint_of(row):
     return f'{row["upper"]} on {row["lower"]}, {row["process"]}, {row["medium"]}'.replace("_", " ")
 
@@ -357,7 +368,7 @@ def main():
     options = parser.parse_args()
     judge = Judge(options.command)
     text = between_markers(DOCUMENT, simulation=tables_of_simulation(judge), groups=tables_of_groups(judge), joints=tables_of_joints(judge), air=tables_in_air(judge),
-                           rock=tables_of_rock(judge), metals=tables_of_metals(judge))
+                           rock=tables_of_rock(judge), metals=tables_of_metals(judge), beam=table_of_beam())
     return write_or_check({DOCUMENT: text, PICTURE: picture(judge)}, "../bench/make_published.py", options.check, 0.11)
 
 
