@@ -73,7 +73,7 @@ class Joint:
         p, _ = loading.tangent_at_separation(gap - normal @ u)
         self.tightened, shapes = modes(beam, np.where(p > least, loading.stiffness(np.maximum(p, least)), 0.0))
         # The first cycle presses a contact beyond its pressure at rest and flattens it; from then on it is reversible. The margins are
-        # for the change of the mode and of the pressures: a cycle that exceeds p_max meets the softer first loading, with a loss below 0.
+        # for the change of the mode and of the pressures: a cycle that exceeds p_max would flatten further.
         closer = 2.0 * swing * np.abs(normal @ shapes[:, 0] / shapes[beam.tip, 0])
         self.greatest = np.maximum(1.1 * loading.tangent_at_separation(gap - normal @ u - closer)[0], least)
         self.laws = answer.law_after(self.greatest, quantile, outside="extrapolate")

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -170,6 +171,27 @@ TEST_CASE("law after a load: friction takes it") {
     };
     go_to(s), lost = 0, go_to(-s), go_to(s);
     CHECK(test::relative_error(lost, rough.cycle(d, s).lost) < 1e-5);
+}
+
+TEST_CASE(
+    "law after a load: at the load K is that of unloading, and friction goes on with it, without a gain of energy") {
+    const Law loading = first_loading(), law = law_after(loading, 1e7, 0.1);
+    CHECK(test::relative_error(law.stiffness(1e7), loading.stiffness(1e7)) < 1e-3);
+    CHECK(test::relative_error(law.slope_at_separation(law.separation(1e7)), loading.stiffness(1e7)) < 1e-3);
+    CHECK(law.stiffness(1.0001e7) < 0.7 * law.stiffness(1e7));
+    const TangentialLaw<double> rough(law, 0.2, 0.82);
+    CHECK(rough.normal().stiffness(1.2e7) > law.stiffness(1e7));
+    const double d = law.separation(1e7), amplitude = 1e-9;  // which closes and slides at once
+    SlipState<double, 2> state{.separation = d};
+    double lost = 0, q = 0, p = 0, last = 0;
+    for (int i = 0; i <= 3 * 512; ++i) {
+        const double s = amplitude * std::sin(2 * std::numbers::pi * i / 512);
+        const auto found = rough.step(state, d - s, {s - last, 0}, state);
+        if (i > 2 * 512) lost += (q + found.traction[0]) / 2 * (s - last) + (p + found.pressure) / 2 * (s - last);
+        q = found.traction[0], p = found.pressure, last = s;
+    }
+    CHECK(lost > -1e-12 * 1e7 * amplitude);
+    CHECK(lost < 0.1 * 0.2 * 1e7 * amplitude);
 }
 
 TEST_CASE("law after a load: an elastic law is its own, and what has no unloading or no such pressure is refused") {

@@ -112,14 +112,11 @@ public:
         detail::require_range(range);
         detail::require(range.max_pressure / range.min_pressure > 1 + 32 * std::numeric_limits<T>::epsilon(),
                         "max_pressure", range.max_pressure, "further above min_pressure than rounding");
-        if (range.outside == OutsideRange::exact)
-            detail::refuse("outside", "exact", "another policy for a law that is known at pressures alone");
         ContactLaw result;
         const auto state = [&](T p, bool) { return detail::LawPoint<T>{T(0), slope(p)}; };
         result.tables_ = detail::KinkedTabulator<T>(state, T(1), T(1))
                              .tabulate_evenly(range.min_pressure, range.max_pressure, stiffness);
-        result.tables_.outside = range.outside;
-        return result;
+        return result.with(range.outside);
     }
     /// \p below up to its greatest pressure, at \p separation [m], and \p above from there on; an empty one: nothing.
     /// Both are of tabulate_slope(); -dp/dd may jump where they meet.
@@ -248,6 +245,12 @@ public:
     /// Exact integrals that were evaluated to tabulate the law.
     [[nodiscard]] int evaluations() const { return tables_.evaluations; }
 
+    /// The law up to where its K falls, as at the greatest load of law_after(), and continued from there.
+    [[nodiscard]] ContactLaw until_fall() const {
+        ContactLaw other = with(OutsideRange::extrapolate);
+        if (!tables_.kinked.empty()) other.tables_ = detail::until_fall(std::move(other.tables_));
+        return other;
+    }
     /// The same law with another policy. \throws domain_error for exact unless the law has it: the model is not there.
     [[nodiscard]] ContactLaw with(OutsideRange outside) const {
         if (outside == OutsideRange::exact && !exact_)

@@ -11,7 +11,8 @@
 /// Reference   contact/earlier_load.hpp
 /// Units       SI
 /// Valid       laws of peaks that yield, whose K is that of unloading; an elastic law is its own law after any load.
-///             A cycle that exceeds p_max moves along the first loading both ways: it does not flatten further
+///             The law above p_max is for one more load. Friction goes on with K there: along the first loading, which
+///             is softer, a cycle would gain energy, and what it flattens in truth leaves K
 /// Accuracy    K that of contact/earlier_load.hpp; -dp/dd is the slope of the returned p, and the energy of a closed
 ///             cycle its integral, within rounding (tests/tabulated/law_after_test.cpp)
 

@@ -307,8 +307,25 @@ struct LawTables {
     }
 };
 
-/// \p below with its greatest pressure at \p separation, and \p above from there on, both of parabolas; the latter may
-/// be empty.
+/// \p tables up to where K falls by more than a thousandth, as at the greatest load of a joint that has yielded.
+template <Real T>
+[[nodiscard]] LawTables<T> until_fall(LawTables<T> tables) {
+    const std::vector<Parabola<T>>& pieces = tables.kinked.pieces();
+    for (std::size_t i = 1; i + 1 < pieces.size(); ++i) {
+        const Parabola<T>&last = pieces[i - 1], &next = pieces[i];
+        const T length = last.separation - next.separation, K = last.stiffness + last.stiffness_per_fall * length;
+        if (!(next.stiffness < T(0.999) * K)) continue;
+        std::vector<Parabola<T>> below(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(i));
+        below.push_back({next.separation, next.pressure, last.slope + last.bend * length, 0, K, 0});
+        tables.max_pressure = next.pressure;
+        tables.kinked = KinkedTables<T>(std::move(below));
+        break;
+    }
+    return tables;
+}
+
+/// \p below with its greatest pressure at \p separation, where it still holds, and \p above beyond, both of parabolas;
+/// the latter may be empty.
 template <Real T>
 [[nodiscard]] LawTables<T> joined(LawTables<T> below, const LawTables<T>& above, T separation) {
     std::vector<Parabola<T>> pieces = below.kinked.pieces();
@@ -317,7 +334,10 @@ template <Real T>
     if (!above.empty()) {
         pieces.pop_back();
         const T drop = separation - above.kinked.furthest();
+        const std::size_t first = pieces.size();
         for (auto piece : above.kinked.pieces()) piece.separation += drop, pieces.push_back(piece);
+        pieces[first].pressure = std::nextafter(pieces[first].pressure, (std::numeric_limits<T>::max)());
+        pieces[first].separation = std::nextafter(pieces[first].separation, std::numeric_limits<T>::lowest());
         below.max_pressure = above.max_pressure;
         below.relative_error = (std::max)(below.relative_error, above.relative_error);
         below.evaluations += above.evaluations;

@@ -143,7 +143,7 @@ public:
     /// Without \p friction, 0, there is no traction. \throws domain_error for an empty law, one whose K is not -dp/dd,
     /// a negative friction and a ratio that is not positive.
     TangentialLaw(const ContactLaw<T>& law, T friction, T ratio)
-        : law_(law.empty() ? law : law.with(OutsideRange::extrapolate)),
+        : law_(law.empty() ? law : law.until_fall()),
           friction_(friction),
           ratio_(ratio),
           widening_(ratio / friction),
@@ -155,8 +155,9 @@ public:
                            "elastic: what slips follows the unloading");
     }
 
-    /// The law of p, continued outside its range: d* leaves it, and so do faces that part. Closer than its range, under
-    /// more pressure than it has, a law of OutsideRange::refuse is refused here too.
+    /// The law of p, continued outside its range, since d* leaves it and so do faces that part; and from the greatest
+    /// load of law_after() on by its K, since along the first loading a cycle would gain energy. Closer than its range
+    /// a law of OutsideRange::refuse is refused here too.
     [[nodiscard]] const ContactLaw<T>& normal() const { return law_; }
 
     /// q and dq/ds at the first displacement \p slip, at the separation \p separation. \throws domain_error unless the
