@@ -238,10 +238,13 @@ void read_laws(Source& source, const Section& root, const Section& contact, Scen
     if (!std::all_of(chosen.begin(), chosen.end(), lacks_radius) && std::erase_if(chosen, lacks_radius) > 0)
         scene.warnings.push_back("no law over a distribution of peaks is computed, because D_p is not known: " +
                                  scene.joint.face.parameters.why_no_density);
+    const toml::node* const surface = root.find("surface");
+    const bool two_faces = surface && surface->is_table() && surface->as_table()->contains("lower");
     for (const detail::Law* law : chosen) {
         if (lacks(law))
-            throw domain_error(source.at(*node) + ": surface.fractal_dimension: is missing; law \"" +
-                               std::string(law->name) + "\" needs it" +
+            throw domain_error(source.at(*node) + ": surface" + (two_faces ? ".upper" : "") +
+                               ".fractal_dimension: is missing; law \"" + std::string(law->name) + "\" needs it" +
+                               (two_faces ? " and fractal_roughness, of both faces" : "") +
                                (scene.joint.face.measured && !scene.joint.face.measured->why_no_dimension.empty()
                                     ? "; it was not found: " + scene.joint.face.measured->why_no_dimension
                                     : ""));

@@ -102,8 +102,9 @@ TEST_CASE("Bands from numbers hold K of faces that they were not set on") {
     }
     SECTION("height, gradient and shape") { shape.check(0.85, 0.75, 2.6); }
     // plateaus and worn tops, which the answer names as outside of its band, and uneven faces have 60 %
-    SECTION("height and gradient") { numbers.check(0.82, 0.6, 4); }
-    SECTION("height alone") { height.check(0.88, 0.75, 8); }
+    // the width is that of the prior of an unknown process, whose skewness goes down to -2 for the sake of worn tops
+    SECTION("height and gradient") { numbers.check(0.82, 0.6, 6.5); }
+    SECTION("height alone") { height.check(0.88, 0.75, 10); }
 }
 
 TEST_CASE("Bands from traces of 256 points across the lay hold K of faces that they were not set on") {

@@ -63,12 +63,20 @@ std::string with_law(const std::string& text, const std::string& law) {
 std::string with_law_alone(const std::string& text, const std::string& law) {
     return with_law(std::regex_replace(text, std::regex("\nlaws *= *\\[[^\\]]*\\]"), ""), law);
 }
-std::string of_map(const std::string& text) {
+/// \p text with \p surface in place of its [surface] and the sections of it.
+std::string with_surface(const std::string& text, const std::string& surface) {
     const std::size_t begin = text.find("\n[surface") + 1;
     std::size_t end = text.find("\n[", begin);
     while (text.compare(end + 1, 8, "[surface") == 0) end = text.find("\n[", end + 1);
-    return text.substr(0, begin) + "[surface]\nfrom = '" + folder() / "map.txt" +
-           "'\nlambda_s = \"none\"\nfractal_dimension = 1.4\n" + text.substr(end + 1);
+    return text.substr(0, begin) + surface + text.substr(end + 1);
+}
+std::string of_map(const std::string& text) {
+    return with_surface(
+        text, "[surface]\nfrom = '" + folder() / "map.txt" + "'\nlambda_s = \"none\"\nfractal_dimension = 1.4\n");
+}
+std::string of_two_maps(const std::string& text) {
+    const std::string map = "from = '" + folder() / "map.txt" + "'\nlambda_s = \"none\"\n";
+    return with_surface(text, "[surface.upper]\n" + map + "[surface.lower]\n" + map);
 }
 
 struct Advice {
@@ -80,6 +88,8 @@ const std::vector<Advice>& table() {
     static const std::vector<Advice> rows{
         {R"(measure a map|only a map shows this|needs a map: surface\.from, or --surface, must name the file of one)",
          [](const std::string& text, const std::smatch&) { return with_law(of_map(text), "boundary_elements"); }},
+        {R"(needs two maps of one grid)",
+         [](const std::string& text, const std::smatch&) { return of_two_maps(text); }},
         {R"(set surface\.rms_gradient and surface\.alpha)",
          [](const std::string& text, const std::smatch&) {
              return with_law(with_line(with_line(text, "[surface]", "rms_gradient = 0.1"), "[surface]", "alpha = 8"),
@@ -105,6 +115,11 @@ const std::vector<Advice>& table() {
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "fill = true"); }},
         {R"((?:--)?spikes (= )?20 removes (it|them))",
          [](const std::string& text, const std::smatch&) { return with_line(text, "[surface]", "spikes = 20"); }},
+        {R"(surface\.upper\.fractal_dimension: is missing; law \S+ needs it and fractal_roughness, of both faces)",
+         [](const std::string& text, const std::smatch&) {
+             const std::string fractal = "fractal_dimension = 1.5\nfractal_roughness = \"1e-10 m\"";
+             return with_line(with_line(text, "[surface.upper]", fractal), "[surface.lower]", fractal);
+         }},
         {R"(surface\.fractal_dimension: is missing)", [](const std::string& text, const std::smatch&) {
              return with_line(text, "[surface]", "fractal_dimension = 1.5");
          }}};
