@@ -524,9 +524,8 @@ def _paths(
     cores = [law._core for law in laws]
     d = np.broadcast_to(d, shape).reshape(contacts, steps)
     if preload is not None:
-        pressures = _of_contacts(preload, "preload", contacts)
-        at = [law.separation(float(p)) for law, p in zip(np.resize(np.array(laws, dtype=object), contacts), np.resize(pressures, contacts))]
-        d = d + np.asarray(at)[:, None]
+        pressures = np.resize(_of_contacts(preload, "preload", contacts), contacts)
+        d = d + _core.law_rows(cores, "separation", pressures)[0][:, None]
     d = np.ascontiguousarray(d)
     given = np.zeros((steps, 3, 0)) if directions is None else numbers(directions, "directions")
     of_each = given.ndim > 3
