@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The band of the answer against boundary elements of the whole map (bench/answer_truth.csv): a sample of what
 // bench/make_accuracy.py does, of kinds and seeds that the errors of the laws were not set on.
+#include "support/answer_truth.hpp"
 #include "support/library.hpp"
 #include "support/map_kinds.hpp"
 
 #include <array>
-#include <fstream>
 #include <map>
 
 namespace answer_coverage_test {
@@ -14,17 +14,6 @@ namespace {
 
 constexpr double modulus = 205e9 / (2 * (1 - 0.3 * 0.3)), side = 128e-6;
 constexpr std::array<double, 3> p_stars{0.001, 0.01, 0.1};
-
-/// K of boundary elements by kind, seed, size, hardness and p*, in periods of the map.
-std::map<std::string, double> truths() {
-    std::ifstream file(FSTIFF_SCENES "/../bench/answer_truth.csv");
-    std::map<std::string, double> all;
-    for (std::string line; std::getline(file, line);) {
-        const auto last = line.rfind(',');
-        if (line.find("pressure") == std::string::npos) all[line.substr(0, last)] = std::stod(line.substr(last + 1));
-    }
-    return all;
-}
 
 /// How many bands hold the truth, and their widths at p* = 0.01.
 struct Coverage {
@@ -67,7 +56,7 @@ struct Coverage {
 
 TEST_CASE("The band of the answer holds K of boundary elements, for a map, four of its rows, and its numbers") {
     const test::Folder folder;
-    const auto truth = truths();
+    const auto truth = test::answer_truths();
     std::vector<test::MapKind> kinds = test::map_kinds();
     for (test::MapKind& kind : test::more_map_kinds()) kinds.push_back(std::move(kind));
     Coverage maps, traces, numbers;
@@ -101,7 +90,7 @@ TEST_CASE("The band of the answer holds K of boundary elements, for a map, four 
 
 TEST_CASE("The band of boundary elements of a map holds what the removed plane has changed") {
     const test::Folder folder;
-    const auto truth = truths();
+    const auto truth = test::answer_truths();
     std::vector<test::MapKind> kinds = test::map_kinds();
     for (test::MapKind& kind : test::more_map_kinds()) kinds.push_back(std::move(kind));
     Coverage found;

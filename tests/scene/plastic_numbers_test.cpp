@@ -2,29 +2,18 @@
 // The answer of height, gradient, skewness and kurtosis where peaks flow against boundary elements: of maps
 // (bench/answer_truth.csv) and of faces as processes leave them (tests/data/plastic_faces.csv by
 // tests/contact/make_plastic_faces.py). Neither the law nor its errors for a known shape were set on them.
+#include "support/answer_truth.hpp"
 #include "support/library.hpp"
 #include "support/map_kinds.hpp"
 #include "support/table.hpp"
 
 #include <array>
-#include <fstream>
 #include <map>
 #include <span>
 
 namespace plastic_numbers_test {
 
 constexpr double modulus = 205e9 / (2 * (1 - 0.3 * 0.3)), side = 128e-6;
-
-/// K of boundary elements by kind, seed, size, hardness and p/H, in periods of the map.
-std::map<std::string, double> truths() {
-    std::ifstream file(FSTIFF_SCENES "/../bench/answer_truth.csv");
-    std::map<std::string, double> all;
-    for (std::string line; std::getline(file, line);) {
-        const auto last = line.rfind(',');
-        if (line.find("pressure") == std::string::npos) all[line.substr(0, last)] = std::stod(line.substr(last + 1));
-    }
-    return all;
-}
 
 /// Rms height, skewness and kurtosis.
 std::array<double, 3> shape_of(const fstiff::HeightMap<double>& map) {
@@ -64,7 +53,7 @@ struct Coverage {
 };
 
 TEST_CASE("The band of height, gradient, skewness and kurtosis holds K of boundary elements where peaks flow") {
-    const auto truth = truths();
+    const auto truth = test::answer_truths();
     std::vector<test::MapKind> kinds = test::map_kinds();
     for (test::MapKind& kind : test::more_map_kinds()) kinds.push_back(std::move(kind));
     Coverage found;
