@@ -77,7 +77,8 @@ std::string_view title_unit(std::string_view title) {
     if (last == std::string_view::npos) return word;
     const std::string_view before = trimmed(title.substr(0, last));
     // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
-    if (before.empty() || is_digit(before.back()) || word == "in") return {};
+    if (before.empty() || is_digit(before.back()) || (word == "in" && title[last] != '/' && !before.ends_with(" in")))
+        return {};
     return word;
 }
 
@@ -218,7 +219,11 @@ std::vector<ColumnTitle> titles_above(const NumberTable& table) {
         const std::string_view raw = table.lines[i].text;
         for (const std::string_view line : {raw, without_comment_sign(raw, separator)}) {
             split_titles(line, separator, cells);
-            if (cells.size() != table.columns || std::any_of(cells.begin(), cells.end(), is_number) ||
+            // a line above the titles may be a key and its value, "Objective:;20X"
+            const bool begins = lines == 1 && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+                                    return !cell.empty() && is_digit(cell.front());
+                                });
+            if (cells.size() != table.columns || begins || std::any_of(cells.begin(), cells.end(), is_number) ||
                 (table.columns == 1 && is_key_and_number(line)))
                 continue;
             ++lines;
@@ -266,14 +271,89 @@ bool names_index(std::string_view name) {
 
 /// Whether a column called \p name holds positions along x.
 bool names_position(std::string_view name) {
-    static constexpr std::array<std::string_view, 20> words{
+    static constexpr std::array<std::string_view, 22> words{
         "x",        "position", "pos",     "distance", "dist",    "lateral",    "length", "l\xC3\xA4nge",
         "l\xE4nge", "laenge",   "abstand", "weg",      "strecke", "horizontal", "scan",   "travel",
-        "longueur", "abscissa", "xpos",    "x-achse"};
+        "longueur", "abscissa", "xpos",    "x-achse",  "distanz", "abszisse"};
+    return begins_with_word(name, words) || name.ends_with(" position");
+}
+
+/// Whether a column called \p name holds neither positions nor heights.
+bool names_neither(std::string_view name) {
+    static constexpr std::array<std::string_view, 46> words{"t",
+                                                            "time",
+                                                            "timestamp",
+                                                            "zeit",
+                                                            "uhrzeit",
+                                                            "temps",
+                                                            "tiempo",
+                                                            "tempo",
+                                                            "elapsed",
+                                                            "date",
+                                                            "datum",
+                                                            "intensity",
+                                                            "intensit\xC3\xA4t",
+                                                            "intensit\xE4t",
+                                                            "intensite",
+                                                            "int",
+                                                            "quality",
+                                                            "qual",
+                                                            "q",
+                                                            "g\xC3\xBCte",
+                                                            "g\xFCte",
+                                                            "snr",
+                                                            "signal",
+                                                            "confidence",
+                                                            "valid",
+                                                            "validity",
+                                                            "flag",
+                                                            "flags",
+                                                            "status",
+                                                            "state",
+                                                            "code",
+                                                            "mask",
+                                                            "weight",
+                                                            "brightness",
+                                                            "temperature",
+                                                            "temp",
+                                                            "force",
+                                                            "load",
+                                                            "speed",
+                                                            "velocity",
+                                                            "red",
+                                                            "green",
+                                                            "blue",
+                                                            "grey",
+                                                            "gray",
+                                                            "qualit\xC3\xA4t"};
+    return begins_with_word(name, words);
+}
+
+/// Whether a column called \p name holds the errors of another.
+bool names_error(std::string_view name) {
+    static constexpr std::array<std::string_view, 12> words{
+        "dz", "error", "err", "std", "stdev", "sd", "noise", "fehler", "uncertainty", "unsicherheit", "sigma z", "u z"};
     return begins_with_word(name, words);
 }
 
 }  // namespace
+
+std::vector<bool> spare_columns(const NumberTable& table, const std::vector<ColumnTitle>& titles) {
+    std::vector<bool> spare(table.columns);
+    for (std::size_t c = 0; c < table.columns; ++c) {
+        bool constant = table.rows() > 1;  // or empty, as between two tabs
+        for (std::size_t r = 1; constant && r < table.rows(); ++r)
+            constant = table.at(r, c) == table.at(0, c) || (std::isnan(table.at(r, c)) && std::isnan(table.at(0, c)));
+        const ColumnTitle* const title = c < titles.size() ? &titles[c] : nullptr;
+        const bool named = title && !title->has_unit && (names_neither(title->name) || !title->no_length.empty());
+        spare[c] = constant || named || (title && names_error(title->name));
+    }
+    return spare;
+}
+
+bool may_be_exchanged(const ColumnTitle& first, const ColumnTitle& second) {
+    return !names_position(first.name) && (!names_height(second.name) || names_position(second.name));
+}
 
 void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column, const std::string& name) {
     if (column == 0 || column > titles.size() || titles[column - 1].no_length.empty()) return;
@@ -282,10 +362,34 @@ void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column
 }
 
 bool names_height(std::string_view name) {
-    static constexpr std::array<std::string_view, 13> words{"z",        "height",   "h\xC3\xB6he", "h\xF6he", "hoehe",
-                                                            "vertical", "vertikal", "profile",     "profil",  "hauteur",
-                                                            "altura",   "altezza",  "depth"};
-    return begins_with_word(name, words);
+    static constexpr std::array<std::string_view, 27> words{"z",
+                                                            "height",
+                                                            "h\xC3\xB6he",
+                                                            "h\xF6he",
+                                                            "hoehe",
+                                                            "vertical",
+                                                            "vertikal",
+                                                            "profile",
+                                                            "profil",
+                                                            "hauteur",
+                                                            "altura",
+                                                            "altezza",
+                                                            "depth",
+                                                            "roughness",
+                                                            "rauheit",
+                                                            "topography",
+                                                            "topographie",
+                                                            "surface",
+                                                            "elevation",
+                                                            "deviation",
+                                                            "relief",
+                                                            "profilh\xC3\xB6he",
+                                                            "profilh\xF6he",
+                                                            "profilhoehe",
+                                                            "total profile",
+                                                            "primary profile",
+                                                            "roughness profile"};
+    return begins_with_word(name, words) && !name.ends_with("position");
 }
 
 bool counts_points(const NumberTable& table, std::size_t c, bool from_start) {
@@ -299,12 +403,14 @@ bool counts_points(const NumberTable& table, std::size_t c, bool from_start) {
 
 std::vector<bool> index_columns(const NumberTable& table) {
     if (table.columns < 2) return {};
+    std::vector<bool> index = table.words;
+    if (!index.empty()) index.resize(table.columns);
     const std::vector<ColumnTitle> titles = titles_above(table);
-    if (titles.empty()) return {};
-    std::vector<bool> index(table.columns);
+    if (titles.empty()) return index;
+    index.resize(table.columns);
     bool any = false;
     for (std::size_t c = 0; c < table.columns; ++c)
-        index[c] = !titles[c].has_unit && names_index(titles[c].name) && counts_points(table, c, false);
+        if (!index[c]) index[c] = !titles[c].has_unit && names_index(titles[c].name) && counts_points(table, c, false);
     const bool length_beside = std::any_of(titles.begin() + 1, titles.end(), [](const ColumnTitle& title) {
         return title.has_unit || names_position(title.name) || names_height(title.name);
     });

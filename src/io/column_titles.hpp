@@ -74,7 +74,14 @@ bool names_height(std::string_view name);
 /// Whether column \p c of the rows counts: whole numbers that rise, and \p from_start, by one from 0 or 1.
 bool counts_points(const NumberTable& table, std::size_t c, bool from_start);
 
-/// Columns of \p table, whose rows are read, that number its points; empty where none does.
+/// Columns of \p table, whose rows are read, that hold neither positions nor heights: of one number throughout, or by
+/// their \p titles, such as "Time" and "Intensity" without a unit of length.
+std::vector<bool> spare_columns(const NumberTable& table, const std::vector<ColumnTitle>& titles);
+
+/// Whether the \p first title may be of heights and the \p second of positions.
+bool may_be_exchanged(const ColumnTitle& first, const ColumnTitle& second);
+
+/// Columns of \p table, whose rows are read, that number its points or hold words; empty where none does.
 std::vector<bool> index_columns(const NumberTable& table);
 
 }  // namespace fstiff::inline v0_1::io::detail

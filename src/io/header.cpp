@@ -161,9 +161,9 @@ GridMeaning meaning_of(const std::string& key) {
         return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
     GridMeaning of{};
-    of.width = is_one_of({"width", "w", "x size", "size x", "x range", "scan size x", "x-length"}) ||
+    of.width = is_one_of({"width", "w", "x size", "size x", "x range", "xrange", "scan size x", "x-length"}) ||
                is_one_of_words(key, width_words);
-    of.height = is_one_of({"height", "h", "y size", "size y", "y range", "scan size y", "y-length"}) ||
+    of.height = is_one_of({"height", "h", "y size", "size y", "y range", "yrange", "scan size y", "y-length"}) ||
                 is_one_of_words(key, height_words);
     of.both = is_one_of({"pixel size", "pixel pitch", "pixel spacing", "lateral spacing", "cellsize"}) ||
               is_one_of_words(key, pitch_words);
@@ -194,6 +194,34 @@ std::pair<std::string_view, std::string> unit_of_axis(const std::vector<HeaderEn
     return {};
 }
 
+/// "um/pixel" as "um".
+std::string_view without_per_pixel(std::string_view unit) {
+    for (const std::string_view per : {"/pixel", "/px", "/point"})
+        if (unit.ends_with(per)) return trimmed(unit.substr(0, unit.size() - per.size()));
+    return unit;
+}
+
+/// The key of \p entry without the unit of length in brackets after it, and that unit; "x [um/pixel]" and a resolution
+/// in um/px are pixel sizes.
+std::pair<std::string, std::string> key_and_unit(const HeaderEntry& entry) {
+    const std::string& key = entry.key;
+    const LeadingNumber number = leading_number(entry.value);
+    const std::string_view written = trimmed(std::string_view(entry.value).substr(number.length));
+    const bool per_pixel = without_per_pixel(written) != written;
+    if (per_pixel && (key == "resolution" || key == "lateral resolution" || key == "xy resolution"))
+        return {"pixel size", ""};
+    if (per_pixel && (key == "xscale" || key == "x scale")) return {"dx", ""};
+    if (per_pixel && (key == "yscale" || key == "y scale")) return {"dy", ""};
+    const std::size_t begin = key.find_first_of("[(");
+    if (begin == std::string::npos || (key.back() != ']' && key.back() != ')')) return {key, ""};
+    const std::string_view inside = trimmed(std::string_view(key).substr(begin + 1, key.size() - begin - 2));
+    const std::string_view unit = without_per_pixel(inside);
+    if (!is_unit(unit, Dimension::length)) return {key, ""};
+    const std::string name(trimmed(std::string_view(key).substr(0, begin)));
+    const bool pixel = unit != inside;
+    return {pixel && name == "x" ? "dx" : pixel && name == "y" ? "dy" : name, std::string(unit)};
+}
+
 }  // namespace
 
 StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::string& unit, const std::string& name) {
@@ -205,13 +233,14 @@ StatedGrid stated_grid(const std::vector<HeaderEntry>& entries, const std::strin
         slot = value;
     };
     for (const HeaderEntry& entry : entries) {
-        const auto [width, height, both, dx, dy, columns, rows] = meaning_of(entry.key);
+        const auto [key, unit_of_key] = key_and_unit(entry);
+        const auto [width, height, both, dx, dy, columns, rows] = meaning_of(key);
         if (!(width || height || dx || dy || columns || rows)) continue;
         const LeadingNumber number = leading_number(entry.value);
         if (number.status != NumberStatus::ok) continue;
         std::string_view written = trimmed(std::string_view(entry.value).substr(number.length));
-        for (const std::string_view per : {"/pixel", "/px", "/point"})  // "277.8 nm/pixel"
-            if (both && written.ends_with(per)) written.remove_suffix(per.size());
+        if (both || dx || dy) written = without_per_pixel(written);  // "277.8 nm/pixel"
+        if (written.empty()) written = unit_of_key;
         std::string unit_from;
         if (written.empty() && unit.empty() && !columns && !rows)
             std::tie(written, unit_from) = unit_of_axis(entries, height || (dy && !both), width || height);
@@ -264,7 +293,7 @@ bool is_height_unit_key(const std::string& key) {
         "value units",     "value unit",  "data unit", "data units",   "z unit",      "z-unit",
         "z units",         "height unit", "unit",      "height units", "units",       "unit z",
         "units z",         "zunit",       "unit data", "units data",   "z axis unit", "vertical unit",
-        "unit of heights", "z-units",     "einheit z", "z-einheit"};
+        "unit of heights", "z-units",     "einheit z", "z-einheit",    "dataunit",    "unitz"};
     return std::find(std::begin(keys), std::end(keys), key) != std::end(keys) ||
            is_one_of_words(key, height_unit_words);
 }

@@ -85,14 +85,14 @@ inline constexpr std::array<std::string_view, 22> spacing_words{"resolution",
                                                                 "pas",
                                                                 "paso"};
 // units of the axes: attocube's "x-unit: um", Nova's "Unit X = um", and their like
-inline constexpr std::array<std::string_view, 23> x_unit_words{
+inline constexpr std::array<std::string_view, 24> x_unit_words{
     "x unit",        "x-unit",          "unit x",       "units x",     "x units",       "x-units",
     "xunit",         "xunits",          "x axis unit",  "x-einheit",   "einheit x",     "lateral unit",
     "lateral units", "horizontal unit", "xy unit",      "xy units",    "position unit", "xy-unit",
-    "unit xy",       "units xy",        "unit lateral", "length unit", "xyunits"};
-inline constexpr std::array<std::string_view, 11> y_unit_words{"y unit",      "y-unit",    "unit y",   "units y",
-                                                               "y units",     "y-units",   "yunit",    "yunits",
-                                                               "y axis unit", "y-einheit", "einheit y"};
+    "unit xy",       "units xy",        "unit lateral", "length unit", "xyunits",       "unitx"};
+inline constexpr std::array<std::string_view, 12> y_unit_words{"unity",   "y unit",      "y-unit",    "unit y",
+                                                               "units y", "y units",     "y-units",   "yunit",
+                                                               "yunits",  "y axis unit", "y-einheit", "einheit y"};
 inline constexpr std::array<std::string_view, 3> rows_words{"vertical", "vertikal", "\xEC\x84\xB8\xEB\xA1\x9C"};
 
 /// Whether \p key is \p word, in UTF-8 or in an 8-bit code page.

@@ -249,7 +249,10 @@ std::vector<WrittenTitle> written_titles(const NumberTable& table) {
         for (const char separator : {';', '\t', ','})
             if (cells.size() != table.columns && own == ' ' && table.columns > 1) split_titles(line, separator, cells);
         if (cells.size() != table.columns) split_at_units(line, cells);
-        if (cells.size() != table.columns || std::any_of(cells.begin(), cells.end(), is_number) ||
+        const bool begins = lines == 1 && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+                                return !cell.empty() && is_digit(cell.front());
+                            });
+        if (cells.size() != table.columns || begins || std::any_of(cells.begin(), cells.end(), is_number) ||
             (table.columns == 1 && is_key_and_number(line)))
             continue;
         ++lines;

@@ -77,6 +77,29 @@ NamedBytes read_bytes(const std::filesystem::path& path, std::string_view what) 
     return read_bytes(input, name);
 }
 
+namespace {
+
+/// Writes the minus sign of Unicode as that of ASCII, as .NET does not in some languages.
+void write_minus_signs(std::string& text) {
+    constexpr std::string_view minus = "\xE2\x88\x92";
+    std::size_t to = text.find(minus);
+    if (to == std::string::npos) return;
+    for (std::size_t from = to; from < text.size(); ++to) {
+        const bool found = text.compare(from, minus.size(), minus) == 0;
+        text[to] = found ? '-' : text[from];
+        from += found ? minus.size() : 1;
+    }
+    text.resize(to);
+}
+
+/// Takes away the end of a text of MS-DOS, Ctrl-Z and the blanks after it.
+void drop_end_sign(std::string& text) {
+    const std::size_t last = text.find_last_not_of(" \r\n\t\x1A");
+    if (text.find('\x1A', last == std::string::npos ? 0 : last) != std::string::npos) text.resize(last + 1);
+}
+
+}  // namespace
+
 std::string text_of(std::string bytes, const std::string& name, std::string_view what) {
     if (is_utf16(bytes)) {
         std::size_t wrong = 0;
@@ -89,6 +112,8 @@ std::string text_of(std::string bytes, const std::string& name, std::string_view
     if (bytes.find('\0') != std::string::npos || !known_binary_refusal(bytes).empty()) refuse_binary(name, bytes);
     if (bytes.empty()) refuse_file(name, {"is empty; must be delimited text with " + std::string(what)});
     if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+    write_minus_signs(bytes);
+    drop_end_sign(bytes);
     return bytes;
 }
 

@@ -7,7 +7,7 @@ const NumberTable& MapTable::table(std::string_view missing) {
     if (!table_.row_lines.empty()) return table_;
     table_.missing = stated_missing(entries_, missing, name_);
     read_rows(table_, name_, map_rules);
-    axes_ = is_zygo() ? std::nullopt : axes_of(table_);
+    axes_ = is_zygo() || !table_.words.empty() ? std::nullopt : axes_of(table_);
     if (axes_ && axes_->in_table && states_other_count()) axes_.reset();
     titles_ = titles_above(table_);
     titles_.resize(table_.columns);
@@ -19,13 +19,52 @@ const NumberTable& MapTable::table(std::string_view missing) {
             if (!index[c]) kept.push_back(c);
         keep_columns(kept);
     }
+    if (!axes_) order_columns();
     return table_;
+}
+
+void MapTable::order_columns() {
+    const std::size_t none = columns_.size();
+    std::array<std::size_t, 3> found{none, none, none};
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const std::string& title = titles_[columns_[c] - 1].name;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (k < 2 ? title != (k == 0 ? "x" : "y") : !names_height(title)) continue;
+            if (found[k] != none) return;
+            found[k] = c;
+        }
+    }
+    const bool in_place = found == std::array<std::size_t, 3>{0, 1, 2};
+    if (*std::max_element(found.begin(), found.end()) == none || in_place) return;
+    keep_columns({found.begin(), found.end()});
 }
 
 bool MapTable::begins_with_triples() {
     if (table().columns < 4 || table_.columns > 12 || axes_) return false;
     if (titles_[columns_[0] - 1].name == "x" && titles_[columns_[1] - 1].name == "y") return true;
+    if (counts_pixels()) return true;
     return table_.rows() >= 9 && grid() && 2 * points_on(*grid(), table_) > grid()->x.count * grid()->y.count;
+}
+
+std::size_t MapTable::columns_of_lengths() {
+    std::vector<ColumnTitle> titles;  // of the columns that are kept
+    for (const std::size_t column : columns_) titles.push_back(titles_[column - 1]);
+    const std::vector<bool> spare = spare_columns(table(), titles);
+    return static_cast<std::size_t>(std::count(spare.begin(), spare.end(), false));
+}
+
+bool MapTable::counts_pixels() {
+    if (table().columns < 3 || !grid() || grid()->x.step != 1 || grid()->y.step != 1) return false;
+    const auto names_pixel = [&](std::size_t c) {
+        static constexpr std::array<std::string_view, 16> words{
+            "col", "column", "row",     "line",    "pixel",   "px",      "ix",   "iy",
+            "i",   "j",      "pixel x", "pixel y", "x pixel", "y pixel", "x px", "y px"};
+        const ColumnTitle& title = titles_[columns_[c] - 1];
+        const std::string unit = lower_case(title.unread);
+        return !title.has_unit && (std::find(words.begin(), words.end(), title.name) != words.end() || unit == "px" ||
+                                   unit == "pixel" || unit == "pixels");
+    };
+    return names_pixel(0) && names_pixel(1);
 }
 
 std::string MapTable::triples_from() {
@@ -56,6 +95,7 @@ NumberTable MapTable::reopened(const TableRules& rules) && {
     SurfaceOptions options;
     options.names = table_.names;
     options.thousands = table_.thousands;
+    table_.lines.insert(table_.lines.end(), table_.footer.begin(), table_.footer.end());
     return open_table(std::move(table_.lines), name_, rules, options, table_.before);
 }
 

@@ -36,6 +36,15 @@ public:
     bool is_zygo() const { return table_.lines.front().text.starts_with(zygo_xyz_begin); }
     /// Whether the rows, of four columns or more, begin with x, y and z.
     bool begins_with_triples();
+    /// Whether words are above the columns.
+    bool is_titled() const {
+        return std::any_of(titles_.begin(), titles_.end(),
+                           [](const ColumnTitle& title) { return !title.name.empty(); });
+    }
+    /// Columns that may hold positions and heights (io/column_titles.hpp), where titles or numbers rule others out.
+    std::size_t columns_of_lengths();
+    /// Whether the titles of x and y name pixels, "col" and "row", whose size is not in the table.
+    bool counts_pixels();
     /// Why begins_with_triples().
     std::string triples_from();
     /// Refuses a matrix whose size the header does not state and whose first row or column is positions, the other not.
@@ -48,6 +57,9 @@ public:
 protected:
     /// Whether the header counts the columns of the whole table, or states a size of it.
     bool states_other_count() const;
+
+    /// Puts x, y and z first where their titles name them in another order.
+    void order_columns();
 
     /// Leaves the columns \p kept, counted from 0.
     void keep_columns(const std::vector<std::size_t>& kept);

@@ -40,7 +40,7 @@ public:
 
 private:
     void describe(const RawMap& map) {
-        table_.say_layout(record_);
+        table_.say_layout(record_, (triples_ ? "points: " : "matrix: ") + notes_.units);
         record_.note("units", notes_.units + ", from " + notes_.units_from);
         record_.note("spacing", "from " + notes_.size_from);
         record_.note_points(map, table_.missing.note());
@@ -74,7 +74,8 @@ private:
         if (begins_with_triples()) keep_columns({0, 1, height_column()});
         note_columns();
         if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
-        if (size_given())
+        const bool pixels = counts_pixels();
+        if (size_given() && !pixels)
             refuse_file(name_, {"holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
                                 "be given"});
         for (std::size_t r = 0; r < table_.rows(); ++r)
@@ -85,7 +86,9 @@ private:
             refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
                                 "y, of which a tenth of the points at least is there"});
         const GridAxis &x = grid()->x, &y = grid()->y;
-        const auto [x_unit, y_unit, z_unit] = is_zygo() ? units_of_zygo() : units_of_triples();
+        const auto [x_unit, y_unit, z_unit] = is_zygo() ? units_of_zygo()
+                                              : pixels  ? units_of_pixels(x.count, y.count)
+                                                        : units_of_triples();
         RawMap map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
@@ -99,9 +102,9 @@ private:
         map.heights = heights_on(*grid(), table_, name_);
         for (double& height : map.heights) height *= z_unit;
         turn_over(map, written_[columns_[2] - 1], entries_, name_, record_);
-        notes_.size_from = "steps of x and y";
-        map.dx = step_of(x, x_unit, stated_.dx);
-        map.dy = step_of(y, y_unit, stated_.dy);
+        if (!pixels) notes_.size_from = "steps of x and y";
+        map.dx = pixels ? x_unit : step_of(x, x_unit, stated_.dx);
+        map.dy = pixels ? y_unit : step_of(y, y_unit, stated_.dy);
         return map;
     }
 
@@ -161,6 +164,29 @@ private:
             "x in " + printable(used[0], 16) + ", y in " + printable(used[1], 16) + ", heights in " + height_unit_;
         return {unit_factor(used[0], Dimension::length), unit_factor(used[1], Dimension::length),
                 unit_factor(used[2], Dimension::length) * factor};
+    }
+
+    /// The steps of x and y, which count pixels, by the options or the header, and the unit of the heights [m].
+    std::array<double, 3> units_of_pixels(std::size_t columns, std::size_t rows) {
+        const ColumnTitle& heights = titles_[columns_[2] - 1];
+        const WrittenTitle& written = written_[columns_[2] - 1];
+        refuse_no_length(titles_, columns_[2], name_);
+        check_factor(written, true, options_, name_, record_);
+        const double factor = factor_of_heights(entries_, options_, name_, record_);
+        notes_.units_from = "options";
+        std::string unit(given_units_.empty() ? std::string_view() : given_units_.back());
+        if (unit.empty() && heights.has_unit) {
+            unit = heights.unit;
+            notes_.units_from = "line " + std::to_string(heights.line);
+        }
+        const double metres = unit.empty() ? value_unit() : unit_factor(unit, Dimension::length);
+        if (!unit.empty()) {
+            height_unit_ = printable(unit, 16);
+            notes_.units = "x and y count pixels, heights in " + height_unit_;
+        }
+        return {spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns),
+                spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows),
+                unit.empty() ? metres : metres * factor};
     }
 
     /// The units of x, y and the heights by the entries of the header, where it states all.
@@ -327,8 +353,9 @@ private:
                 name_, stated_.without_unit_line,
                 {shown_cell(stated_.without_unit), " has no unit; must be ",
                  given_as(options_.names, "units", units_text()), " (lengths, heights), or dx and dy be given"});
-        refuse_file(name_, {"is a matrix that states no ", step, " and no ", whole, "; must be ",
-                            given_steps(options_.names), " (between points) or width and height (of the map)"});
+        refuse_file(name_, {triples_ ? "counts pixels, of which it" : "is a matrix that", " states no ", step,
+                            " and no ", whole, "; must be ", given_steps(options_.names),
+                            " (between points) or width and height (of the map)"});
     }
 
     /// How messages call the units that are to be given: that of the heights by its name where the header states it.
@@ -375,7 +402,7 @@ extern constexpr Reader triples_reader{.format = SurfaceFormat::triples,
                                        .holds = "text: x, y, z in a line",
                                        .recognised = "three columns that fill a rectangular grid",
                                        .asks_for = "--units without a header that has them",
-                                       .options = "units missing thousands channel"};
+                                       .options = "units dx dy width height missing thousands channel"};
 
 extern constexpr Reader matrix_reader{
     .format = SurfaceFormat::matrix,

@@ -167,7 +167,7 @@ bool is_missing_word(std::string_view cell) {
     if (cell.empty() || cell.size() > longest) return false;
     const std::string_view bare = cell.front() == '-' || cell.front() == '+' ? cell.substr(1) : cell;
     if (!bare.empty() && is_digit(bare[0]) && !bare.starts_with("1.#") && bare != "1.$") return false;
-    for (const std::string_view sign : {"*", "-", "\xE2\x80\x93", "\xE2\x80\x94"})  // and both dashes of Unicode
+    for (const std::string_view sign : {"*", "-", "?", "\xE2\x80\x93", "\xE2\x80\x94"})  // and both dashes of Unicode
         if (cell.starts_with(sign)) {
             std::string_view rest = cell;
             while (rest.starts_with(sign)) rest.remove_prefix(sign.size());

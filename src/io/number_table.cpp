@@ -2,6 +2,7 @@
 #include "io/number_table.hpp"
 
 #include "io/ambiguous_signs.hpp"
+#include "io/row_layout.hpp"
 
 namespace fstiff::inline v0_1::io {
 
@@ -66,6 +67,8 @@ std::optional<Dialect> dialect_of(std::string_view line) {
     std::vector<Dialect> candidates;
     if (line.find(';') != std::string_view::npos)
         candidates = {{';', false}, {';', true}};
+    else if (line.find('|') != std::string_view::npos)
+        candidates = {{'|', false}, {'|', true}};
     else if (line.find('\t') != std::string_view::npos && line.find(',') == std::string_view::npos)
         candidates = {{'\t', false}, {' ', false}};
     else if (line.find('\t') != std::string_view::npos)
@@ -79,7 +82,8 @@ std::optional<Dialect> dialect_of(std::string_view line) {
     // "1,5 2,5": commas inside what blanks separate are decimal; "1, 5" is not
     if (candidates.front().separator == ',' && line.find(' ') != std::string_view::npos) {
         split_line(line, ' ', cells);
-        if (cells.size() > 1 && all_numbers(cells, true)) return Dialect{' ', true};
+        const bool listed = std::any_of(cells.begin(), cells.end(), [](auto cell) { return cell.ends_with(','); });
+        if (cells.size() > 1 && !listed && all_numbers(cells, true)) return Dialect{' ', true};
     }
     for (const Dialect& dialect : candidates) {
         split_line(line, dialect.separator, cells);
@@ -158,14 +162,28 @@ void take_rows_above(NumberTable& table) {
 
 }  // namespace
 
-void NumberTable::say_layout(Record& record, bool may_be_one) const {
+std::string NumberTable::unused() const {
+    std::string list, text;
+    for (std::size_t c = 0; c < words.size(); ++c)
+        if (words[c]) list += (list.empty() ? "" : ", ") + std::to_string(c + 1);
+    if (!list.empty())
+        text = "; column" + std::string(list.find(',') < list.size() ? "s " : " ") + list + " of words not used";
+    if (!footer.empty())
+        text += "; " + std::to_string(footer.size()) + (footer.size() == 1 ? " line" : " lines") +
+                " after the rows not used (" + shown_cell(footer.front().text) + ")";
+    return text;
+}
+
+void NumberTable::say_layout(Record& record, std::string roles, bool may_be_one) const {
     const char sign = dialect.separator;
     const std::string separator = may_be_one && columns == 1 && sign == ' ' ? "none"
                                   : sign == ','                             ? "comma"
                                   : sign == ';'                             ? "semicolon"
                                   : sign == '\t'                            ? "tab"
+                                  : sign == '|'                             ? "bar"
                                                                             : "blanks";
-    record.note("separator", separator + ", decimal " + (dialect.decimal_comma ? "comma" : "point"));
+    record.note("read as", std::move(roles) + "; separator: " + separator + ", decimal " +
+                               (dialect.decimal_comma ? "comma" : "point") + unused());
     const std::size_t header = lines[first].number - 1 - before;  // blank lines and comments included
     std::string text = std::to_string(header) + (header == 1 ? " line" : " lines");
     if (counted != 0) text += ", the last of which is the number of rows";
@@ -228,12 +246,14 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
     table.first = row_from(first_candidate(table.lines), table, name);
     skip_count(table, name);
+    find_words(table);
     if (table.first == table.lines.size())
         refuse_line(
             name, table.lines.front().number,
             {shown_cell(table.lines.front().text), " is not a row of numbers, nor is any line after it", wanted});
     // the first row alone may hide the decimal commas of "0 1,5" or "0;1,5"
-    for (std::size_t i = table.first; i < table.lines.size() && table.dialect.separator != ','; ++i) {
+    const bool settled = table.dialect.separator == ',' || !table.words.empty();
+    for (std::size_t i = table.first; i < table.lines.size() && !settled; ++i) {
         if (is_comment(table.lines[i].text)) continue;
         const std::size_t sign = without_comment(table.lines[i].text).find_first_of(".,");
         if (sign == std::string_view::npos) continue;
@@ -246,6 +266,7 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     split_line(without_comment(table.lines[table.first].text), table.dialect.separator, cells);
     table.columns = cells.size();
     if (rules.short_rows) take_rows_above(table);
+    drop_footer(table);
 }
 
 }  // namespace
@@ -292,7 +313,8 @@ double require_number(const std::optional<double>& number, std::string_view cell
     if (!number)
         refuse_line(name, line,
                     {shown_cell(cell), " is not a number; allowed are finite decimal numbers (an empty cell, ",
-                     missing_words_text, " is a missing point)"});
+                     missing_words_text, " is a missing point; another word for one must be ",
+                     given_as(table.names, "missing", "\"WORD\""), ")"});
     if (!std::isfinite(*number))
         refuse_line(name, line,
                     {shown_cell(cell), " is beyond the range of double precision; allowed are finite numbers"});
@@ -329,6 +351,7 @@ void read_rows(NumberTable& table, const std::string& name, const TableRules& ru
     std::size_t last_cells = 0;                                     // rows with something in their last cell
     std::vector<char> text(table.columns, '?');                     // whether a column is one; '?' until it is sought
     const auto holds_words = [&](std::size_t c) {
+        if (c < table.words.size() && table.words[c]) return true;
         if (!rules.short_rows || separator == ' ' || c >= text.size()) return false;
         if (text[c] == '?') text[c] = is_text_column(table, c) ? 'y' : 'n';
         return text[c] == 'y';

@@ -16,7 +16,7 @@
 namespace fstiff::inline v0_1::io::detail {
 
 struct Dialect {
-    char separator = ' ';  // ' ' is any run of blanks and tabs
+    char separator = ' ';  // ' ' is any run of blanks and tabs, else one of ; , | and the tab
     bool decimal_comma = false;
 };
 
@@ -45,9 +45,11 @@ inline constexpr std::size_t max_short_row_columns = max_profile_columns;
 /// Rows of numbers below a header. Views point into the text, which must outlive them.
 struct NumberTable {
     std::vector<Line> lines;
-    std::size_t first{};    // of `lines`: the first row
-    std::size_t counted{};  // of `lines`, counted from 1: that of the header which holds the number of rows alone
-    std::size_t before{};   // lines of the file above the header, which are of another table
+    std::size_t first{};         // of `lines`: the first row
+    std::size_t counted{};       // of `lines`, counted from 1: that of the header which holds the number of rows alone
+    std::size_t before{};        // lines of the file above the header, which are of another table
+    std::vector<Line> footer{};  // lines after the rows, which are none
+    std::vector<bool> words{};   // whether a column holds words; empty where none does
     Dialect dialect;
     std::size_t columns{};
     std::vector<double> values;  // by row; NaN where missing
@@ -61,10 +63,14 @@ struct NumberTable {
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
 
-    /// Describes its separators, which one column lacks where \p may_be_one, and its header.
-    void say_layout(Record& record, bool may_be_one = false) const;
+    /// Describes in one line what its columns are read as, \p roles, its separators, which one column lacks where
+    /// \p may_be_one, and what is not used; then its header.
+    void say_layout(Record& record, std::string roles, bool may_be_one = false) const;
 
 private:
+    /// "; columns 1, 4 of words not used; 2 lines after the rows not used ("EOF")"; empty where all is used.
+    std::string unused() const;
+
     /// Lines at the end of the header that are cut into as many cells as the rows, some of them numbers.
     std::size_t rows_with_words() const;
 };

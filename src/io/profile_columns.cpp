@@ -14,6 +14,16 @@ bool rises_evenly(const NumberTable& table, std::size_t c) {
     return step != 0;
 }
 
+/// Whether column \p c of \p table, counted from 0, goes one way throughout.
+bool rises_or_falls(const NumberTable& table, std::size_t c) {
+    bool rises = false, falls = false;
+    for (std::size_t r = 1; r < table.rows(); ++r) {
+        rises = rises || table.at(r, c) > table.at(r - 1, c);
+        falls = falls || table.at(r, c) < table.at(r - 1, c);
+    }
+    return !(rises && falls);
+}
+
 /// Without titles, a first column that counts next to one of equal steps may be either. \throws domain_error then.
 void require_no_count(const NumberTable& table, const std::string& name, std::size_t heights,
                       const std::string& x_option) {
@@ -44,19 +54,32 @@ ProfileColumns profile_columns(const NumberTable& table, const std::string& name
         refuse_field(name, x_option, std::to_string(choice.x_column), "another column than that of the heights");
     if (choice.x_column != 0 && choice.spacing)
         refuse_file(name, {"spacing and ", x_option, " are both given; must be one of them"});
-    ProfileColumns found{.index = index_columns(table)};
+    ProfileColumns found{.index = index_columns(table), .unused = table.words};
     found.index.resize(columns);
+    found.unused.resize(columns);
+    for (std::size_t c = 0; c < columns; ++c) found.index[c] = found.index[c] && !found.unused[c];
     if (choice.x_column != 0) found.index[choice.x_column - 1] = false;
     if (choice.column != 0) found.index[choice.column - 1] = false;
     std::vector<std::size_t> rest;  // may be positions and heights
     for (std::size_t c = 1; c <= columns; ++c)
-        if (c != choice.x_column && !found.index[c - 1]) rest.push_back(c);
+        if (c != choice.x_column && !found.index[c - 1] && !found.unused[c - 1]) rest.push_back(c);
     const std::size_t most = choice.x_column != 0 ? 1 : 2;
+    const std::vector<ColumnTitle> titles = titles_above(table);
+    if (choice.column == 0 && rest.size() > most) {
+        const std::vector<bool> spare = spare_columns(table, titles);
+        std::erase_if(rest, [&](std::size_t column) { return spare[column - 1]; });
+        for (std::size_t c = 1; c <= columns; ++c)
+            if (spare[c - 1] && c != choice.x_column) found.unused[c - 1] = true;
+    }
     if (choice.column == 0 && (rest.empty() || rest.size() > most))
         refuse_file(
             name, {"has ", columns,
                    " columns; must be one (heights) or two (positions and heights), or give the column of the heights",
                    choice.spacing ? ", or of a map dx and dy in place of spacing" : ""});
+    const bool exchanged = choice.column == 0 && choice.x_column == 0 && rest.size() == 2 &&
+                           (titles.empty() || may_be_exchanged(titles[rest.front() - 1], titles[rest.back() - 1])) &&
+                           !rises_or_falls(table, rest.front() - 1) && rises_evenly(table, rest.back() - 1);
+    if (exchanged) std::swap(rest.front(), rest.back());
     found.heights = choice.column != 0 ? choice.column : rest.back();
     if (choice.x_column != 0)
         found.positions = choice.x_column;

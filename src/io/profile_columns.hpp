@@ -3,8 +3,10 @@
 /// \file
 /// Columns of a profile with the positions and the heights.
 ///
-/// Columns that number the points (io/column_titles.hpp) are neither, unless they are chosen. Of what is left, one
-/// column holds heights, two hold positions and heights; more need a choice.
+/// Columns that number the points or hold words (io/column_titles.hpp) are neither, unless they are chosen. Of what is
+/// left, one column holds heights, two hold positions and heights, in this order unless their titles name the other.
+/// Of more, those that hold one number throughout, or that their titles name otherwise, are left out; what is still
+/// more needs a choice.
 ///
 /// Units       columns counted from 1
 
@@ -22,6 +24,7 @@ struct ColumnChoice {
 struct ProfileColumns {
     std::size_t heights{}, positions{};  // positions whether used or not; 0: none
     std::vector<bool> index;             // number the points; by column
+    std::vector<bool> unused;            // hold words, one number throughout, or what their titles name
 
     /// The first column that numbers the points; 0: none.
     std::size_t first_index() const {
@@ -32,8 +35,8 @@ struct ProfileColumns {
     TitleUnits units(const NumberTable& table, bool with_positions) const {
         FreeColumns free(table.columns);
         for (std::size_t c = 1; c <= table.columns; ++c)
-            free[c - 1] =
-                index[c - 1] || (c != heights && !(with_positions && c == positions) && table.dialect.separator != ' ');
+            free[c - 1] = index[c - 1] || unused[c - 1] ||
+                          (c != heights && !(with_positions && c == positions) && table.dialect.separator != ' ');
         if (std::count(free.begin(), free.end(), true) == 0) free.clear();
         return title_units(table, table.columns, free);
     }

@@ -64,13 +64,21 @@ public:
 
 private:
     void describe(const RawMap& row) {
-        table_.say_layout(record_, true);
-        std::string columns =
-            std::to_string(table_.columns) + ", heights in column " + std::to_string(notes_.height_column);
-        if (notes_.position_column != 0) columns += ", positions in column " + std::to_string(notes_.position_column);
+        const auto column = [](const std::string& unit, std::size_t number) {
+            return " [" + printable(unit, 16) + "] in column " + std::to_string(number);
+        };
+        std::string roles = "heights" + column(notes_.height_unit, notes_.height_column);
+        if (notes_.position_column != 0)
+            roles += ", positions" +
+                     (notes_.position_unit.empty() ? " in column " + std::to_string(notes_.position_column)
+                                                   : column(notes_.position_unit, notes_.position_column)) +
+                     (notes_.reversed ? ", which fall: turned round" : "");
         if (notes_.index_column != 0)
-            columns += ", column " + std::to_string(notes_.index_column) + " numbers the points";
-        record_.note("columns", columns + (notes_.reversed ? ", falling: turned round" : ""));
+            roles += "; column " + std::to_string(notes_.index_column) + " numbers the points";
+        for (std::size_t c = 1; c <= columns_.unused.size(); ++c)
+            if (columns_.unused[c - 1] && (c > table_.words.size() || !table_.words[c - 1]))
+                roles += "; column " + std::to_string(c) + " not used";
+        table_.say_layout(record_, std::move(roles), true);
         const std::string positions =
             notes_.position_unit.empty() ? "" : ", positions in " + printable(notes_.position_unit, 16);
         record_.note("units",

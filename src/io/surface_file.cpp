@@ -4,6 +4,7 @@
 #include "io/map_text.hpp"
 #include "io/profile_text.hpp"
 #include "io/readers.hpp"
+#include "io/row_layout.hpp"
 #include "io/text_blocks.hpp"
 #include "io/thousands.hpp"
 
@@ -63,27 +64,35 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
     const std::size_t columns = reader.table(options.missing).columns;  // without those that number the points
     if (reader.is_zygo()) return {SurfaceFormat::triples, "the header"};
     if (reader.axes()) return {SurfaceFormat::matrix, MapTable::axes_from};
-    if (columns <= 2) return {SurfaceFormat::profile, named(columns) + " next to one that numbers the points"};
+    if (columns <= 2)
+        return {SurfaceFormat::profile,
+                named(columns) + (reader.opened().words.empty() ? " next to one that numbers the points"
+                                                                : " next to those of words")};
     if (columns == 3) {
         const bool grid = reader.grid().has_value();
-        if (grid && sized)
+        if (grid && sized && !reader.counts_pixels())
             ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
                       as("triples") + " or " + as("matrix"));
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
         refuse_thousands(reader.opened(), {0, 1}, false, name);
-        if (sized || written != 3) return {SurfaceFormat::matrix, found + " and a stated size"};
+        if (!sized && reader.columns_of_lengths() == 2)
+            return {SurfaceFormat::profile, "two columns next to one of neither positions nor heights"};
+        if (sized || (written != 3 && reader.opened().words.empty()))
+            return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
             " that begin with no regular grid, and no stated size: may be scattered triples, a matrix "
             "or a profile with a column to choose",
             as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
     }
     if (reader.begins_with_triples()) {
-        if (sized)
+        if (sized && !reader.counts_pixels())
             ambiguous(", which begin with x, y and z, and a stated size: may be triples or a matrix",
                       as("triples") + " or " + as("matrix"));
         return {SurfaceFormat::triples, reader.triples_from()};
     }
     const NumberTable& opened = reader.opened();
+    if (!sized && reader.is_titled() && reader.columns_of_lengths() == 2)
+        return {SurfaceFormat::profile, "two columns next to others of neither positions nor heights"};
     const bool titled =
         opened.first > 0 && !units_in(opened.lines[opened.first - 1].text, written, opened.dialect.separator).empty();
     if (titled && !sized)
@@ -122,7 +131,9 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
     const std::string& name = record.name;
     std::size_t count = 0;
     std::vector<Line> lines = lines_of(text, name, count);
+    drop_frame(lines);
     const bool may_be_matrix = record.format == SurfaceFormat::automatic || record.format == SurfaceFormat::matrix;
+    const bool may_be_profile = record.format == SurfaceFormat::automatic || record.format == SurfaceFormat::profile;
     if (may_be_matrix && !lines.empty() && is_wyko_text(lines.front().text)) {
         record.format = SurfaceFormat::matrix;
         record.format_from = "the first words";
@@ -132,6 +143,12 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
     ChosenBlock chosen = chosen_block(blocks_of(std::move(lines), name, options), name, options);
     std::vector<Line>& own = chosen.block.lines;
     const std::size_t before = chosen.block.line - 1;
+    std::optional<std::string> turned;
+    const bool sized = options.dx || options.dy || options.width || options.height;
+    constexpr std::size_t few = 256;
+    if ((may_be_profile && !sized) && own.size() < few)
+        turned = turned_rows(open_table(own, name, map_rules, options, before));
+    if (turned) own = lines_of(*turned, name, count);
     std::optional<MapTable> map;
     if (record.format != SurfaceFormat::profile) map.emplace(std::move(own), name, options, before);
     if (record.format == SurfaceFormat::automatic)
@@ -145,6 +162,7 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
                                 : open_table(std::move(own), name, profile_rules, options, before);
         found = read_profile(std::move(table), name, options);
     }
+    if (turned) found.record.note("rows", "of the file are read as columns");
     note_channels(found.record, chosen);
     return found;
 }

@@ -2,6 +2,7 @@
 #include "io/text_blocks.hpp"
 
 #include "io/option_names.hpp"
+#include "io/row_layout.hpp"
 #include "io/unit_table.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
@@ -49,6 +50,7 @@ public:
     BlockFinder(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options)
         : name_(name), missing_(given_missing(options.missing, name)) {
         table_ = open_table(std::move(lines), name, {.holds = "rows of numbers"}, options);
+        table_.lines.insert(table_.lines.end(), table_.footer.begin(), table_.footer.end());  // of the last block
     }
 
     std::vector<Stretch> parts() {
@@ -79,6 +81,7 @@ private:
         if (line.size() > sign && is_digit(line[sign])) return true;
         if (is_comment(line)) return false;
         split_line(line, table_.dialect.separator, cells_);
+        if (!table_.words.empty()) return cells_.size() > 1 && is_row_of(table_, cells_);
         const std::string_view cell = cells_.empty() ? std::string_view() : cells_.front();
         return cell.empty() || is_missing_word(cell) || missing_.has_word(cell) ||
                number_in(cell, table_.dialect.decimal_comma) || number_in(cell, false);
@@ -150,10 +153,10 @@ private:
                         .value_or(std::numeric_limits<double>::quiet_NaN());
         return at;
     }
-    std::array<double, 2> last_position(const Stretch& part) {
+    std::size_t last_row(const Stretch& part) {
         std::size_t i = part.end - 1;
         while (i > part.row && !is_row(i)) --i;
-        return position(i);
+        return i;
     }
 
     /// Whether the rows of \p parts, which no statement divides, are tables of their own.
@@ -166,10 +169,44 @@ private:
         if (const auto count = stated_grid(entries(), "m", name_).rows; count && *count == rows) return false;
         if (table_.columns == 1) return true;
         const std::optional<std::size_t> axis = table_.columns == 2 ? std::optional(std::size_t(0)) : slow_axis(parts);
-        if (!axis) return true;
+        if (!axis) return !steps_go_on(parts);
         for (std::size_t k = 1; k < parts.size(); ++k)
-            if (!goes_on(parts[k - 1], parts[k], *axis, parts[0])) return true;
+            if (!goes_on(parts[k - 1], parts[k], *axis, parts[0])) return !steps_go_on(parts);
         return false;
+    }
+
+    /// The numbers of the line \p i, NaN where there is none.
+    std::vector<double> numbers(std::size_t i) {
+        split_row(without_comment(table_.lines[i].text), table_.dialect.separator, cells_);
+        std::vector<double> values;
+        for (const std::string_view cell : cells_)
+            values.push_back(
+                number_in(cell, table_.dialect.decimal_comma).value_or(std::numeric_limits<double>::quiet_NaN()));
+        values.resize(table_.columns, std::numeric_limits<double>::quiet_NaN());
+        return values;
+    }
+
+    /// Whether every column that rises or falls in equal steps at first goes on from part to part; false without one.
+    bool steps_go_on(const std::vector<Stretch>& parts) {
+        constexpr std::size_t enough = 8;  // rows that show a step
+        if (parts[0].rows < 3) return false;
+        std::vector<std::vector<double>> rows;
+        for (std::size_t i = parts[0].row; i < parts[0].end && rows.size() < enough; ++i)
+            if (is_row(i)) rows.push_back(numbers(i));
+        bool any = false;
+        for (std::size_t c = 0; c < table_.columns; ++c) {
+            const double step = rows[1][c] - rows[0][c];
+            bool even = step != 0;
+            for (std::size_t r = 2; r < rows.size(); ++r)
+                even = even && std::abs(rows[r][c] - rows[r - 1][c] - step) <= 0.1 * std::abs(step);
+            if (!even) continue;
+            any = true;
+            for (std::size_t k = 1; k < parts.size(); ++k) {
+                const double end = numbers(last_row(parts[k - 1]))[c], begin = numbers(parts[k].row)[c];
+                if (!((begin - end) * step > 0)) return false;
+            }
+        }
+        return any;
     }
 
     /// Which of x and y is constant along the first scan line, where the first rows are triples.
@@ -187,7 +224,7 @@ private:
 
     /// Whether the positions \p s of \p next lie after those of \p last, seen from the rows before.
     bool goes_on(const Stretch& last, const Stretch& next, std::size_t s, const Stretch& first) {
-        const double from = position(first.row)[s], end = last_position(last)[s], begin = position(next.row)[s];
+        const double from = position(first.row)[s], end = position(last_row(last))[s], begin = position(next.row)[s];
         const double way = end != from ? end - from : begin - from;
         return table_.columns == 2 ? (begin - end) * way > 0 : begin == end ? begin != from : (begin - end) * way > 0;
     }

@@ -44,6 +44,9 @@ inline constexpr std::array units{
     Unit{Dimension::length, "A\xCC\x8A", -10, 1, false},     // and as two characters
     Unit{Dimension::length, "\xC5", -10, 1, false},          // and in CP1252
     Unit{Dimension::length, "A", -10, 1, false},
+    Unit{Dimension::length, "k\xC3\x85", -7, 1, false},
+    Unit{Dimension::length, "k\xE2\x84\xAB", -7, 1, false},
+    Unit{Dimension::length, "k\xC5", -7, 1, false},
     Unit{Dimension::length, "\xC3\xA5ngstr\xC3\xB6m", -10, 1, false},
     Unit{Dimension::length, "\xC3\x85ngstr\xC3\xB6m", -10, 1, false},
     Unit{Dimension::length, "meter", 0, 1, false},

@@ -19,7 +19,10 @@ std::string canonical_unit(std::string_view unit) {
     static constexpr std::array spellings{Spelling{"\xC2\xB5", "u"},
                                           Spelling{"\xCE\xBC", "u"},
                                           Spelling{"\xB5", "u"},
-                                          Spelling{"\xE6", "u"},  // the micro sign of MS-DOS (CP437, CP850)
+                                          Spelling{"\xE6", "u"},      // the micro sign of MS-DOS (CP437, CP850)
+                                          Spelling{"\xA6\xCC", "u"},  // of GBK and EUC-JP
+                                          Spelling{"\x83\xCA", "u"},  // of Shift-JIS
+                                          Spelling{"\xA5\xEC", "u"},  // of EUC-KR
                                           Spelling{"\xC2\xB2", "2"},
                                           Spelling{"\xB2", "2"},
                                           Spelling{"\xC2\xB3", "3"},

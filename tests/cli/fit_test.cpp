@@ -23,7 +23,7 @@ TEST_CASE("The readable fit prints its decisions about the file") {
     INFO(outcome.err);
     CHECK(outcome.status == 0);
     for (const char* part :
-         {"separator: semicolon, decimal comma", "header: 1 line", "points: 1024", "units: heights in nm",
+         {"; separator: semicolon, decimal comma", "header: 1 line", "points: 1024", "units: heights in nm",
           "spacing 0.5 µm", "D = 1.", " m +- ", "Rq ", "(line)", "window ", "lag [µm]", "S [µm²]"}) {
         INFO(part);
         CHECK(test::contains(outcome.out, part));

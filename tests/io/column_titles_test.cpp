@@ -30,7 +30,7 @@ const Decision found = profile(0.5e-6, 1e-6);
 }  // namespace
 
 TEST_CASE("A column that numbers the points is neither positions nor heights", "[index]") {
-    const Decision second = profile(0.5e-6, 1e-6, {"positions in column 2, column 1 numbers the points"});
+    const Decision second = profile(0.5e-6, 1e-6, {"in column 2; column 1 numbers the points"});
     for (const std::string head :
          {"Nr.;X [um];Z [um]\n", "No.;X [um];Z [um]\n", "N\xC2\xB0;X [um];Z [um]\n", "#;X [um];Z [um]\n",
           "Index;X [um];Z [um]\n", "Point;X [um];Z [um]\n", "Punkt;X [um];Z [um]\n", "\"Nr.\";\"X [um]\";\"Z [um]\"\n",

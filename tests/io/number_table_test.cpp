@@ -30,8 +30,9 @@ TEST_CASE("the header ends at the first row of numbers, whose signs hold for all
     CHECK(table.values == std::vector<double>{1, 2, 3.5, 4});
     CHECK(table.row_lines == std::vector<std::size_t>{3, 4});
     fstiff::io::Record record;
-    table.say_layout(record);
-    CHECK(record.sentences() == std::vector<std::string>{"separator: semicolon, decimal comma", "header: 2 lines"});
+    table.say_layout(record, "numbers");
+    CHECK(record.sentences() ==
+          std::vector<std::string>{"read as: numbers; separator: semicolon, decimal comma", "header: 2 lines"});
 }
 
 TEST_CASE("cells at the end of a row may be left out where the rules allow it", "[number_table]") {

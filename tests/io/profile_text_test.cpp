@@ -72,7 +72,7 @@ TEST_CASE("Signs between columns, decimal signs and ends of lines are understood
         {"notes", rows("{x},{z}  # noted\n"), nm, units},
         {"header", "Company\nDate,2014-01-02\nx,z\n" + plain, nm_and({"\nheader: 3 lines\n"}), units},
     });
-    CHECK(read(plain, units).record.details.size() == 6);
+    CHECK(read(plain, units).record.details.size() == 5);
 }
 
 TEST_CASE("Units are taken from the header wherever it states them, and options replace them") {
@@ -150,13 +150,15 @@ TEST_CASE("Columns and points of a profile are found, chosen or refused") {
             20, [&](int i) { return (i == at ? x : std::to_string(i)) + "," + (i == at ? z : height_text(i)) + "\n"; });
     };
     check({
-        {"four columns", four, refused("4 columns"), units},
+        {"four columns", rows("{x},{i},{z},{z}\n"), refused("4 columns"), units},
+        {"four columns, of which two hold one number", four, nm_and({"column 2 not used; column 4 not used"}), units},
         {"the third", four, nm, {.units = "um,nm", .column = 3}},
         {"the third, spacing given", four, nm, {.units = "nm", .spacing = 0.5e-6, .column = 3}},
         {"the fifth", four, refused("column = 5: must be between 1 and 4"), {.units = "um,nm", .column = 5}},
         {"the first", four, refused("spacing"), {.units = "um,nm", .column = 1}},
         {"the first of two", rows("{z},{x}\n"), nm, {.units = "nm", .spacing = 0.5e-6, .column = 1}},
-        {"exchanged", exchanged,
+        {"exchanged", exchanged, profile(0.5e-6, 1e-6, {"heights [um] in column 1, positions [um] in column 2"})},
+        {"exchanged against the titles", "x [um],z [um]\n" + rows("{z},{x}\n"),
          refused("positions must rise, or fall, throughout; column 2 does in equal steps: if it holds them, "
                  "give x_column = 2 and column = 1")},
         {"exchanged, chosen", exchanged, profile(0.5e-6, 1e-6), {.column = 1, .x_column = 2}},
@@ -169,7 +171,7 @@ TEST_CASE("Columns and points of a profile are found, chosen or refused") {
     CHECK_FALSE(contains(refusal_of(neither), "column 2 does"));
     const auto falling =
         read(titles + lines(20, [](int i) { return std::to_string(19 - i) + ".0," + height_text(i) + "\n"; }));
-    CHECK(contains(said(falling, "columns"), "falling: turned round"));
+    CHECK(contains(said(falling, "read as"), "which fall: turned round"));
     CHECK(relative_error(falling.profile().spacing, 1e-6) < 1e-15);
     for (int i = 0; i < 20; ++i) CHECK(falling.profile().heights[static_cast<std::size_t>(i)] == height(19 - i) * 1e-9);
 }
@@ -244,7 +246,7 @@ TEST_CASE("Real stylus files are read as their owners describe them") {
     const auto opdx = read(folder / "opdx-3.txt", {.units = "m,m"});
     CHECK(opdx.profile().size() == 3001);
     CHECK(relative_error(opdx.profile().length(), 49.966689e-6) < 1e-9);
-    CHECK(contains(said(opdx, "separator"), "blanks"));
+    CHECK(contains(said(opdx, "read as"), "separator: blanks"));
 
     const auto xy = read(folder / "xy-4.txt", {.units = "um,um"});
     CHECK(xy.profile().size() == 10001);

@@ -129,7 +129,7 @@ TEST_CASE("The form of a text follows from its columns, and the option format de
         {"a grid and a step", grid, refused("format = triples or format = matrix"), {.units = "um", .dx = 1e-6}},
         {"triples and a step",
          grid,
-         refused("no use for dx"),
+         refused("dx, dy, width and height must not be given"),
          {.format = SurfaceFormat::triples, .units = "um", .dx = 1e-6}},
         {"profile and width",
          points,

@@ -396,7 +396,7 @@ TEST_CASE("The column of the positions is an option, a key of a scene, and in th
         text += std::to_string(i + 1) + ";" + std::to_string(0.5 * i) + ";" +
                 std::to_string(0.1 * std::sin(i * i % 101)) + "\n";
     const auto plain = test::measured("", text);
-    CHECK(test::decided(plain, "positions in column 2, column 1 numbers the points"));
+    CHECK(test::decided(plain, "positions [um] in column 2; column 1 numbers the points"));
     CHECK_FALSE(plain["inputs"].contains("x_column"));
     const auto chosen = test::measured("--x-column 1 --column 3 --units um", text);
     CHECK(chosen["inputs"]["x_column"] == 1);

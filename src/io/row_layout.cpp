@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/row_layout.hpp"
+
+#include "io/header.hpp"
+
+#include <map>
+
+namespace fstiff::inline v0_1::io::detail {
+
+namespace {
+
+bool is_number(std::string_view cell) { return number_in(cell, false) || number_in(cell, true); }
+bool begins_with_number(std::string_view cell) {
+    const std::size_t begin = cell.find_first_not_of("+-.,'( ");
+    return begin < cell.size() && is_digit(cell[begin]);
+}
+/// Whether a cell that is no number may be one all the same, of another separator, with a sign between its thousands or
+/// with its unit.
+bool may_be_number(std::string_view cell) {
+    if (!begins_with_number(cell)) return false;
+    const bool word =
+        std::any_of(cell.begin(), cell.end(), [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
+    if (!word) return cell.find(':') == cell.npos && cell.find_first_not_of("0123456789-/.") < cell.size();
+    const std::size_t last = cell.find_last_of(' ');
+    return last < cell.size() && is_number(cell.substr(0, last)) && is_unit(cell.substr(last + 1), Dimension::length);
+}
+bool is_gap(std::string_view cell) { return cell.empty() || is_missing_word(cell); }
+
+/// Whether \p line holds digits, signs and separators alone, so that it need not be cut into cells.
+bool is_plain(std::string_view line) {
+    return std::all_of(line.begin(), line.end(), [](char c) {
+        return is_digit(c) || std::string_view("+-.,;| \t\reEdD\"").find(c) != std::string_view::npos;
+    });
+}
+
+/// The word of a result below a table: "Mean", "Ra".
+bool is_result_word(std::string_view cell) {
+    static constexpr std::array<std::string_view, 32> words{
+        "mean",  "average", "avg",     "min",   "max",      "minimum",    "maximum", "std",
+        "stdev", "std dev", "sd",      "sum",   "total",    "ra",         "rq",      "rz",
+        "rt",    "rsm",     "rms",     "range", "count",    "median",     "p-v",     "pv",
+        "mw",    "summe",   "moyenne", "media", "promedio", "mittelwert", "mittel",  "standardabweichung"};
+    std::string word = lower_case(cell);
+    while (!word.empty() && (word.back() == ':' || word.back() == '.')) word.pop_back();
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Rows with words in some columns, of one separator.
+struct WordRows {
+    char separator{};
+    std::size_t first{}, rows{};
+    std::vector<bool> words;
+    /// Numbers there is room for: of separators, the one that finds most is the right one.
+    std::size_t numbers() const {
+        return rows * static_cast<std::size_t>(std::count(words.begin(), words.end(), false));
+    }
+};
+
+/// The rows of the lines between \p separator; none where more than a tenth of the lines among them are none. Reading
+/// refuses these by their word.
+std::optional<WordRows> rows_between(const std::vector<Line>& lines, char separator) {
+    std::vector<std::string_view> cells;
+    std::map<std::size_t, std::size_t> mixed;  // lines with words and numbers, by their cells
+    const auto split = [&](const Line& line) { split_row(without_comment(line.text), separator, cells); };
+    for (const Line& line : lines) {
+        if (is_plain(line.text) || is_comment(line.text)) continue;
+        split(line);
+        const bool number = std::any_of(cells.begin(), cells.end(), is_number);
+        const auto is_word = [](std::string_view cell) { return !is_number(cell) && !is_gap(cell); };
+        if (number && std::any_of(cells.begin(), cells.end(), is_word)) ++mixed[cells.size()];
+    }
+    if (mixed.empty()) return std::nullopt;
+    const std::size_t columns = std::max_element(mixed.begin(), mixed.end(), [](const auto& a, const auto& b) {
+                                    return a.second < b.second;
+                                })->first;
+    std::vector<std::size_t> numbers(columns), words(columns);
+    for (const Line& line : lines) {
+        if (is_comment(line.text)) continue;
+        split(line);
+        if (cells.size() != columns || std::none_of(cells.begin(), cells.end(), is_number)) continue;
+        for (std::size_t c = 0; c < columns; ++c) (is_number(cells[c]) ? numbers : words)[c] += !is_gap(cells[c]);
+    }
+    WordRows found{.separator = separator, .words = std::vector<bool>(columns)};
+    for (std::size_t c = 0; c < columns; ++c) found.words[c] = words[c] > numbers[c];
+    std::size_t others = 0, between = 0;  // lines that are none since the last row, and before it
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (is_comment(lines[i].text)) continue;
+        split(lines[i]);
+        bool row = cells.size() == columns, number = false;
+        for (std::size_t c = 0; row && c < columns; ++c) {
+            number = number || is_number(cells[c]);
+            row = found.words[c] ? !is_number(cells[c]) : is_number(cells[c]) || is_gap(cells[c]);
+            if (found.words[c] && row && may_be_number(cells[c])) return std::nullopt;
+        }
+        if (!row || !number) {
+            ++others;
+            continue;
+        }
+        if (found.rows++ == 0)
+            found.first = i;
+        else
+            between += others;
+        others = 0;
+    }
+    const bool lying = found.rows > 0 && columns > 16 && found.words[0];  // "x [um];0;0.5;1 ..."
+    if (found.rows < (lying ? 1 : 4) || 10 * between > found.rows) return std::nullopt;
+    return found;
+}
+
+/// Rows of \p table as they are found without words, and whether a line that is none is among them.
+std::pair<std::size_t, bool> plain_rows(const NumberTable& table) {
+    std::size_t rows = 0, others = 0;
+    bool interrupted = false;
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        const std::string_view line = table.lines[i].text;
+        if (!is_plain(line)) {
+            if (is_comment(line)) continue;
+            split_row(without_comment(line), table.dialect.separator, cells);
+            if (!is_row_of(table, cells)) {
+                ++others;
+                continue;
+            }
+        }
+        ++rows;
+        interrupted = interrupted || others > 0;
+    }
+    return {rows, interrupted};
+}
+
+}  // namespace
+
+bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& cells) {
+    bool number = false;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        if (c < table.words.size() && table.words[c]) continue;
+        if (is_number(cells[c]))
+            number = true;
+        else if (!is_gap(cells[c]))
+            return false;
+    }
+    return number;
+}
+
+void find_words(NumberTable& table) {
+    const auto [plain, interrupted] = plain_rows(table);
+    if (plain > 0 && !interrupted) return;
+    std::optional<WordRows> best;
+    bool separated = false;  // by a sign that numbers have not
+    for (const char separator : {';', '\t', '|', ',', ' '}) {
+        const auto lines =
+            static_cast<std::size_t>(std::count_if(table.lines.begin(), table.lines.end(), [&](const Line& line) {
+                return line.text.find(separator) != std::string_view::npos;
+            }));
+        if (lines == 0) continue;
+        if ((separator == ',' || separator == ' ') && separated) break;  // within cells
+        separated = separated || (separator != ',' && 2 * lines > table.lines.size());
+        auto rows = rows_between(table.lines, separator);
+        if (rows && (!best || rows->numbers() > best->numbers())) best = std::move(rows);
+    }
+    if (!best || best->rows <= plain) return;
+    table.first = best->first;
+    table.words = best->words;
+    table.dialect = {best->separator, false};
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        split_row(without_comment(table.lines[i].text), best->separator, cells);
+        for (std::size_t c = 0; c < cells.size() && c < table.words.size(); ++c)
+            if (const std::size_t sign = cells[c].find_first_of(".,"); !table.words[c] && sign < cells[c].size()) {
+                table.dialect.decimal_comma = cells[c][sign] == ',';
+                return;
+            }
+    }
+}
+
+void drop_footer(NumberTable& table) {
+    std::vector<std::string_view> cells, first;
+    split_row(without_comment(table.lines[table.first].text), table.dialect.separator, first);
+    // a word where the first row has nothing is next to the row
+    const auto is_row = [&] {
+        if (cells.size() == first.size())
+            for (std::size_t c = 0; c < cells.size(); ++c)
+                if (first[c].empty() && !is_number(cells[c])) cells[c] = {};
+        return is_row_of(table, cells);
+    };
+    std::size_t end = table.lines.size();
+    for (; end > table.first; --end) {
+        const std::string_view line = table.lines[end - 1].text;
+        if (is_comment(line)) continue;
+        split_row(without_comment(line), table.dialect.separator, cells);
+        const bool result = !table.words.empty() && std::any_of(cells.begin(), cells.end(), is_result_word);
+        if (!result && is_row()) break;
+        const auto filled = std::find_if(cells.begin(), cells.end(), [](auto cell) { return !cell.empty(); });
+        const bool lone = cells.size() == 1 && first.size() > 1 && !is_number(cells[0]);  // "240 points"
+        if (filled == cells.end() || (begins_with_number(*filled) && !lone)) return;
+    }
+    // comments next to the rows stay
+    while (end < table.lines.size() && is_comment(table.lines[end].text)) ++end;
+    if (end == table.lines.size() || end <= table.first || table.lines.size() - end > end - table.first) return;
+    NumberTable after;
+    after.lines.assign(table.lines.begin() + static_cast<std::ptrdiff_t>(end), table.lines.end());
+    after.first = after.lines.size();
+    after.dialect = table.dialect;
+    const std::vector<HeaderEntry> entries = header_entries(after, true);
+    for (const HeaderEntry& entry : entries)
+        if (is_height_unit_key(entry.key) || is_size_key(entry.key)) return;
+    if (stated_scale(entries).entry) return;
+    table.footer = std::move(after.lines);
+    table.lines.resize(end);
+}
+
+void drop_frame(std::vector<Line>& lines) {
+    const auto is_framed = [](const Line& line) {
+        return line.text.size() > 2 && line.text.front() == '|' && line.text.back() == '|';
+    };
+    if (2 * std::count_if(lines.begin(), lines.end(), is_framed) < static_cast<std::ptrdiff_t>(lines.size())) return;
+    std::erase_if(lines, [](const Line& line) {
+        return (line.text.front() == '|' || line.text.front() == '+') &&
+               line.text.find_first_not_of("|+-=: ") == std::string_view::npos;
+    });
+    for (Line& line : lines)
+        if (is_framed(line)) line.text = trimmed(line.text.substr(1, line.text.size() - 2));
+}
+
+std::optional<std::string> turned_rows(const NumberTable& table) {
+    constexpr std::size_t least = 16;
+    std::vector<std::vector<std::string_view>> rows;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        if (is_comment(table.lines[i].text)) continue;
+        if (rows.size() == 2) return std::nullopt;
+        split_line(without_comment(table.lines[i].text), table.dialect.separator, rows.emplace_back());
+    }
+    if (rows.empty() || rows[0].size() < least || rows.back().size() != rows[0].size()) return std::nullopt;
+    const std::size_t begin = !table.words.empty() && table.words[0] ? 1 : 0, count = rows[0].size();
+    if (std::count(table.words.begin(), table.words.end(), true) != static_cast<std::ptrdiff_t>(begin)) return {};
+    if (rows.size() == 2) {
+        std::vector<double> x;
+        for (std::size_t c = begin; c < count; ++c)
+            x.push_back(number_in(rows[0][c], table.dialect.decimal_comma).value_or(HUGE_VAL));
+        const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+        for (std::size_t k = 0; k < x.size(); ++k)
+            if (!(std::abs(x[k] - x[0] - static_cast<double>(k) * step) <= 0.6 * std::abs(step))) return std::nullopt;
+    }
+    std::string text;
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < table.first; ++i) {
+        for (; line < table.lines[i].number; ++line) text += '\n';
+        text += table.lines[i].text;
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+        text += '\n';
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            const std::string quote = rows[r][c].find(table.dialect.separator) < rows[r][c].size() ? "\"" : "";
+            text += (r == 0 ? "" : std::string(1, table.dialect.separator)) + quote + std::string(rows[r][c]) + quote;
+        }
+    }
+    return text + '\n';
+}
+
+}  // namespace fstiff::inline v0_1::io::detail
