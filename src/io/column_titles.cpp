@@ -243,101 +243,6 @@ std::vector<ColumnTitle> titles_above(const NumberTable& table) {
     return titles;
 }
 
-namespace {
-
-/// Whether \p name is one of \p words, or one of them and what follows its end.
-template <std::size_t N>
-bool begins_with_word(std::string_view name, const std::array<std::string_view, N>& words) {
-    return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-        return name.starts_with(word) &&
-               (name.size() == word.size() || name.substr(word.size()).find_first_of(" -_/,.;:") == 0);
-    });
-}
-
-/// Whether a column called \p name numbers the points.
-bool names_index(std::string_view name) {
-    static constexpr std::array<std::string_view, 34> words{
-        "#",          "nr",     "no",     "n\xC2\xB0",     "n\xC2\xBA",     "n\xB0",     "n\xBA",      "num",
-        "number",     "nummer", "numero", "num\xC3\xA9ro", "n\xC3\xBAmero", "index",     "indice",     "idx",
-        "id",         "i",      "n",      "lfd",           "lfd. nr",       "point",     "point no",   "point number",
-        "data point", "pt",     "punkt",  "punkt nr",      "punktnummer",   "messpunkt", "datenpunkt", "sample no",
-        "zeile",      "row"};
-    return std::find(words.begin(), words.end(), name) != words.end() ||
-           (name.size() > 3 &&
-            begins_with_word(name,
-                             std::array<std::string_view, 5>{"index", "point", "punkt", "messpunkt", "datenpunkt"}) &&
-            (name.ends_with("nr") || name.ends_with("no") || name.ends_with("number") || name.ends_with("nummer")));
-}
-
-/// Whether a column called \p name holds positions along x.
-bool names_position(std::string_view name) {
-    static constexpr std::array<std::string_view, 22> words{
-        "x",        "position", "pos",     "distance", "dist",    "lateral",    "length", "l\xC3\xA4nge",
-        "l\xE4nge", "laenge",   "abstand", "weg",      "strecke", "horizontal", "scan",   "travel",
-        "longueur", "abscissa", "xpos",    "x-achse",  "distanz", "abszisse"};
-    return begins_with_word(name, words) || name.ends_with(" position");
-}
-
-/// Whether a column called \p name holds neither positions nor heights.
-bool names_neither(std::string_view name) {
-    static constexpr std::array<std::string_view, 46> words{"t",
-                                                            "time",
-                                                            "timestamp",
-                                                            "zeit",
-                                                            "uhrzeit",
-                                                            "temps",
-                                                            "tiempo",
-                                                            "tempo",
-                                                            "elapsed",
-                                                            "date",
-                                                            "datum",
-                                                            "intensity",
-                                                            "intensit\xC3\xA4t",
-                                                            "intensit\xE4t",
-                                                            "intensite",
-                                                            "int",
-                                                            "quality",
-                                                            "qual",
-                                                            "q",
-                                                            "g\xC3\xBCte",
-                                                            "g\xFCte",
-                                                            "snr",
-                                                            "signal",
-                                                            "confidence",
-                                                            "valid",
-                                                            "validity",
-                                                            "flag",
-                                                            "flags",
-                                                            "status",
-                                                            "state",
-                                                            "code",
-                                                            "mask",
-                                                            "weight",
-                                                            "brightness",
-                                                            "temperature",
-                                                            "temp",
-                                                            "force",
-                                                            "load",
-                                                            "speed",
-                                                            "velocity",
-                                                            "red",
-                                                            "green",
-                                                            "blue",
-                                                            "grey",
-                                                            "gray",
-                                                            "qualit\xC3\xA4t"};
-    return begins_with_word(name, words);
-}
-
-/// Whether a column called \p name holds the errors of another.
-bool names_error(std::string_view name) {
-    static constexpr std::array<std::string_view, 12> words{
-        "dz", "error", "err", "std", "stdev", "sd", "noise", "fehler", "uncertainty", "unsicherheit", "sigma z", "u z"};
-    return begins_with_word(name, words);
-}
-
-}  // namespace
-
 std::vector<bool> spare_columns(const NumberTable& table, const std::vector<ColumnTitle>& titles) {
     std::vector<bool> spare(table.columns);
     for (std::size_t c = 0; c < table.columns; ++c) {
@@ -359,37 +264,6 @@ void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column
     if (column == 0 || column > titles.size() || titles[column - 1].no_length.empty()) return;
     refuse_file(name, {"has a column ", column, " in ", shown_cell(titles[column - 1].no_length),
                        ", which is of no length; must be a column in a unit of length"});
-}
-
-bool names_height(std::string_view name) {
-    static constexpr std::array<std::string_view, 27> words{"z",
-                                                            "height",
-                                                            "h\xC3\xB6he",
-                                                            "h\xF6he",
-                                                            "hoehe",
-                                                            "vertical",
-                                                            "vertikal",
-                                                            "profile",
-                                                            "profil",
-                                                            "hauteur",
-                                                            "altura",
-                                                            "altezza",
-                                                            "depth",
-                                                            "roughness",
-                                                            "rauheit",
-                                                            "topography",
-                                                            "topographie",
-                                                            "surface",
-                                                            "elevation",
-                                                            "deviation",
-                                                            "relief",
-                                                            "profilh\xC3\xB6he",
-                                                            "profilh\xF6he",
-                                                            "profilhoehe",
-                                                            "total profile",
-                                                            "primary profile",
-                                                            "roughness profile"};
-    return begins_with_word(name, words) && !name.ends_with("position");
 }
 
 bool counts_points(const NumberTable& table, std::size_t c, bool from_start) {

@@ -10,6 +10,7 @@
 /// Units       lengths by the names of their units
 /// Accuracy    none: words (tests/io/column_titles_test.cpp)
 
+#include "io/column_words.hpp"
 #include "io/number_table.hpp"
 
 #include <fstiff/io/units.hpp>
@@ -67,9 +68,6 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
 
 /// Whether \p line is a key and a number, as "Pitch [um]: 0.5" is, and no title of one column.
 bool is_key_and_number(std::string_view line);
-
-/// Whether a column called \p name holds heights.
-bool names_height(std::string_view name);
 
 /// Whether column \p c of the rows counts: whole numbers that rise, and \p from_start, by one from 0 or 1.
 bool counts_points(const NumberTable& table, std::size_t c, bool from_start);

@@ -4,6 +4,7 @@
 #include "io/matrix_unit.hpp"
 #include "io/readers.hpp"
 #include "io/thousands.hpp"
+#include "io/zygo_xyz.hpp"
 
 namespace fstiff::inline v0_1::io {
 
@@ -11,7 +12,6 @@ namespace detail {
 
 namespace {
 
-/// Decisions, for the record.
 struct MapNotes {
     std::string units, units_from;  // of x and y (where the file needs them) and of the heights
     std::string size_from;          // where dx and dy come from
@@ -68,14 +68,12 @@ private:
         return used;
     }
 
-    bool size_given() const { return options_.dx || options_.dy || options_.width || options_.height; }
-
     RawMap triples() {
         if (begins_with_triples()) keep_columns({0, 1, height_column()});
         note_columns();
         if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
         const bool pixels = counts_pixels();
-        if (size_given() && !pixels)
+        if (gives_size(options_) && !pixels)
             refuse_file(name_, {"holds x, y, z triples, whose size is in the file; dx, dy, width and height must not "
                                 "be given"});
         for (std::size_t r = 0; r < table_.rows(); ++r)
@@ -166,27 +164,21 @@ private:
                 unit_factor(used[2], Dimension::length) * factor};
     }
 
-    /// The steps of x and y, which count pixels, by the options or the header, and the unit of the heights [m].
+    /// The steps of x and y, which count pixels, and the unit of the heights [m].
     std::array<double, 3> units_of_pixels(std::size_t columns, std::size_t rows) {
         const ColumnTitle& heights = titles_[columns_[2] - 1];
-        const WrittenTitle& written = written_[columns_[2] - 1];
         refuse_no_length(titles_, columns_[2], name_);
-        check_factor(written, true, options_, name_, record_);
-        const double factor = factor_of_heights(entries_, options_, name_, record_);
-        notes_.units_from = "options";
-        std::string unit(given_units_.empty() ? std::string_view() : given_units_.back());
-        if (unit.empty() && heights.has_unit) {
-            unit = heights.unit;
-            notes_.units_from = "line " + std::to_string(heights.line);
-        }
-        const double metres = unit.empty() ? value_unit() : unit_factor(unit, Dimension::length);
-        if (!unit.empty()) {
-            height_unit_ = printable(unit, 16);
+        check_factor(written_[columns_[2] - 1], true, options_, name_, record_);
+        double unit = 0;
+        if (given_units_.empty() && heights.has_unit) {
+            height_unit_ = printable(heights.unit, 16);
             notes_.units = "x and y count pixels, heights in " + height_unit_;
-        }
+            notes_.units_from = "line " + std::to_string(heights.line);
+            unit = unit_factor(heights.unit, Dimension::length) * factor_of_heights(entries_, options_, name_, record_);
+        } else
+            unit = value_unit();
         return {spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns),
-                spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows),
-                unit.empty() ? metres : metres * factor};
+                spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows), unit};
     }
 
     /// The units of x, y and the heights by the entries of the header, where it states all.
@@ -199,18 +191,9 @@ private:
         notes_.units_from = "lines " + std::to_string(entries[0]->line) + " and " + std::to_string(entries[2]->line);
     }
 
-    /// Zygo's x and y are pixels, whose size [m] is the seventh number of line 8; its heights are in um unless a
-    /// program was set otherwise.
+    /// Zygo's x and y are pixels; its heights are in um unless a program was set otherwise.
     std::array<double, 3> units_of_zygo() {
-        double pixel = 0;
-        for (const Line& line : table_.lines)
-            if (std::vector<std::string_view> cells; line.number == 8) {
-                split_line(line.text, ' ', cells);
-                if (cells.size() > 6) pixel = number_in(cells[6], false).value_or(0);
-            }
-        if (!(pixel > 0) || !std::isfinite(pixel))
-            refuse_line(name_, 8,
-                        {"states no size of a pixel; must hold it as its seventh number [m], greater than 0"});
+        const double pixel = zygo_pixel(table_.lines, name_);
         height_unit_ = given_units_.empty() ? "um" : printable(given_units_.back(), 16);
         notes_.units = "x and y in pixels of " + number_text(pixel) + " m, heights in " + height_unit_;
         notes_.units_from = given_units_.empty() ? "line 8" : "line 8 and options";
@@ -259,7 +242,7 @@ private:
             record_.warnings.push_back(contradiction(options_.names, "units", shown_cell(options_.units),
                                                      "line " + std::to_string(axes_->line) + ", which states " +
                                                          printable(axes_->stated.front(), 16) + " for the axes"));
-        if (!numbers && unit.empty() && !size_given() && !stated_.has_size())
+        if (!numbers && unit.empty() && !gives_size(options_) && !stated_.has_size())
             refuse_line(name_, axes_->line,
                         {"holds positions, whose unit is ",
                          axes_->stated.empty() ? "not stated" : "stated twice, with two values", "; must be ",
@@ -277,7 +260,7 @@ private:
     }
 
     void set_step(std::optional<StatedGrid::Length>& slot, double step, const std::string& from) {
-        if (slot && !(std::abs(slot->value - step) <= 0.01 * step) && !size_given())
+        if (slot && !(std::abs(slot->value - step) <= 0.01 * step) && !gives_size(options_))
             refuse_line(name_, slot->line,
                         {slot->value, " m disagrees with the axes, whose step is ", step, " m; must agree"});
         if (!slot) slot = StatedGrid::Length{.value = step, .line = axes_->line, .from = from};

@@ -3,6 +3,7 @@
 
 #include "io/ambiguous_signs.hpp"
 #include "io/row_layout.hpp"
+#include "io/zygo_xyz.hpp"
 
 namespace fstiff::inline v0_1::io {
 
@@ -111,13 +112,6 @@ bool is_comment(std::string_view line) {
 }
 
 namespace {
-
-/// The first of \p lines that may be a row of numbers.
-std::size_t first_candidate(const std::vector<Line>& lines) {
-    if (!lines.front().text.starts_with(zygo_xyz_begin)) return 0;
-    const auto end = std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.text == "#"; });
-    return static_cast<std::size_t>(end - lines.begin());
-}
 
 /// Whether a row between commas has a number with a decimal comma, in quotes.
 bool has_quoted_comma(const NumberTable& table) {
@@ -244,7 +238,7 @@ void skip_count(NumberTable& table, const std::string& name) {
 void find_first_row(NumberTable& table, const std::string& name, const TableRules& rules) {
     const std::string wanted = "; must hold " + std::string(rules.holds);
     if (table.lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
-    table.first = row_from(first_candidate(table.lines), table, name);
+    table.first = row_from(zygo_header(table.lines), table, name);
     skip_count(table, name);
     find_words(table);
     if (table.first == table.lines.size())

@@ -75,9 +75,6 @@ private:
     std::size_t rows_with_words() const;
 };
 
-/// The first words of Zygo's XYZ text, whose header holds rows of numbers and ends with a line "#".
-inline constexpr std::string_view zygo_xyz_begin = "Zygo XYZ Data File";
-
 /// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
 NumberTable open_table(std::vector<Line> lines, const std::string& name, const TableRules& rules,
                        const SurfaceOptions& options = {}, std::size_t before = 0);

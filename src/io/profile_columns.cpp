@@ -36,6 +36,16 @@ void require_no_count(const NumberTable& table, const std::string& name, std::si
 
 }  // namespace
 
+std::string ProfileColumns::left_out(const NumberTable& table) const {
+    std::string text;
+    if (const std::size_t column = first_index(); column != 0)
+        text += "; column " + std::to_string(column) + " numbers the points";
+    for (std::size_t c = 0; c < unused.size(); ++c)
+        if (unused[c] && (c >= table.words.size() || !table.words[c]))
+            text += "; column " + std::to_string(c + 1) + " not used";
+    return text;
+}
+
 std::string must_rise(const NumberTable& table, std::size_t heights, std::size_t positions, const OptionNames& names) {
     const std::string rule = "; positions must rise, or fall, throughout", column = std::to_string(heights);
     if (!rises_evenly(table, heights - 1)) return rule;

@@ -31,6 +31,8 @@ struct ProfileColumns {
         return static_cast<std::size_t>(std::find(index.begin(), index.end(), true) - index.begin() + 1) %
                (index.size() + 1);
     }
+    /// "; column 1 numbers the points; column 4 not used"; words apart, which NumberTable::say_layout() has.
+    std::string left_out(const NumberTable& table) const;
     /// The units that titles state of the heights and, where \p with_positions, of the positions.
     TitleUnits units(const NumberTable& table, bool with_positions) const {
         FreeColumns free(table.columns);

@@ -17,7 +17,6 @@ namespace {
 struct ProfileNotes {
     std::size_t height_column{};    // counted from 1
     std::size_t position_column{};  // counted from 1; 0: none used
-    std::size_t index_column{};     // the first that numbers the points, counted from 1; 0: none
     std::string position_unit;      // as written; empty when no positions are used
     std::string height_unit;        // as written
     std::string units_from;         // "line 28" or "options"
@@ -65,20 +64,13 @@ public:
 private:
     void describe(const RawMap& row) {
         const auto column = [](const std::string& unit, std::size_t number) {
-            return " [" + printable(unit, 16) + "] in column " + std::to_string(number);
+            return (unit.empty() ? "" : " [" + printable(unit, 16) + "]") + " in column " + std::to_string(number);
         };
         std::string roles = "heights" + column(notes_.height_unit, notes_.height_column);
         if (notes_.position_column != 0)
-            roles += ", positions" +
-                     (notes_.position_unit.empty() ? " in column " + std::to_string(notes_.position_column)
-                                                   : column(notes_.position_unit, notes_.position_column)) +
+            roles += ", positions" + column(notes_.position_unit, notes_.position_column) +
                      (notes_.reversed ? ", which fall: turned round" : "");
-        if (notes_.index_column != 0)
-            roles += "; column " + std::to_string(notes_.index_column) + " numbers the points";
-        for (std::size_t c = 1; c <= columns_.unused.size(); ++c)
-            if (columns_.unused[c - 1] && (c > table_.words.size() || !table_.words[c - 1]))
-                roles += "; column " + std::to_string(c) + " not used";
-        table_.say_layout(record_, std::move(roles), true);
+        table_.say_layout(record_, roles + columns_.left_out(table_), true);
         const std::string positions =
             notes_.position_unit.empty() ? "" : ", positions in " + printable(notes_.position_unit, 16);
         record_.note("units",
@@ -102,7 +94,6 @@ private:
                                     .names = options_.names});
         notes_.height_column = columns_.heights;
         notes_.position_column = options_.spacing ? 0 : columns_.positions;
-        notes_.index_column = columns_.first_index();
     }
 
     static std::string line(std::size_t number) { return "line " + std::to_string(number); }
@@ -298,8 +289,8 @@ private:
 
     /// Why a column is not the positions, for messages; empty without one that numbers the points.
     std::string numbering() const {
-        if (notes_.index_column == 0) return "";
-        const std::string column = std::to_string(notes_.index_column);
+        if (columns_.first_index() == 0) return "";
+        const std::string column = std::to_string(columns_.first_index());
         return " (column " + column + " numbers the points; to use it as positions, give " +
                of_words(options_.names, "x_column") + options_.names.equals + column + ")";
     }

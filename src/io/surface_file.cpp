@@ -46,8 +46,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
         return columns == 1 ? std::string("one column") : std::to_string(columns) + " columns";
     };
     const std::string found = named(written);
-    const bool sized = options.dx || options.dy || options.width || options.height ||
-                       stated_grid(reader.entries(), "m", name).has_size();
+    const bool sized = gives_size(options) || stated_grid(reader.entries(), "m", name).has_size();
     const auto as = [&](const char* form) { return format_as(options.names, form); };
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
         refuse_file(name, {"has ", found, what, "; give ", choice});
@@ -68,6 +67,8 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
         return {SurfaceFormat::profile,
                 named(columns) + (reader.opened().words.empty() ? " next to one that numbers the points"
                                                                 : " next to those of words")};
+    if (!sized && (columns == 3 || reader.is_titled()) && !reader.grid() && reader.columns_of_lengths() == 2)
+        return {SurfaceFormat::profile, "two columns next to others of neither positions nor heights"};
     if (columns == 3) {
         const bool grid = reader.grid().has_value();
         if (grid && sized && !reader.counts_pixels())
@@ -75,8 +76,6 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
                       as("triples") + " or " + as("matrix"));
         if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
         refuse_thousands(reader.opened(), {0, 1}, false, name);
-        if (!sized && reader.columns_of_lengths() == 2)
-            return {SurfaceFormat::profile, "two columns next to one of neither positions nor heights"};
         if (sized || (written != 3 && reader.opened().words.empty()))
             return {SurfaceFormat::matrix, found + " and a stated size"};
         ambiguous(
@@ -91,8 +90,6 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
         return {SurfaceFormat::triples, reader.triples_from()};
     }
     const NumberTable& opened = reader.opened();
-    if (!sized && reader.is_titled() && reader.columns_of_lengths() == 2)
-        return {SurfaceFormat::profile, "two columns next to others of neither positions nor heights"};
     const bool titled =
         opened.first > 0 && !units_in(opened.lines[opened.first - 1].text, written, opened.dialect.separator).empty();
     if (titled && !sized)
@@ -144,9 +141,8 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
     std::vector<Line>& own = chosen.block.lines;
     const std::size_t before = chosen.block.line - 1;
     std::optional<std::string> turned;
-    const bool sized = options.dx || options.dy || options.width || options.height;
-    constexpr std::size_t few = 256;
-    if ((may_be_profile && !sized) && own.size() < few)
+    constexpr std::size_t few = 256;  // lines of a header, and one or two rows
+    if (may_be_profile && !gives_size(options) && own.size() < few)
         turned = turned_rows(open_table(own, name, map_rules, options, before));
     if (turned) own = lines_of(*turned, name, count);
     std::optional<MapTable> map;
