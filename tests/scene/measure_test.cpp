@@ -400,7 +400,7 @@ TEST_CASE("The column of the positions is an option, a key of a scene, and in th
     CHECK_FALSE(plain["inputs"].contains("x_column"));
     const auto chosen = test::measured("--x-column 1 --column 3 --units um", text);
     CHECK(chosen["inputs"]["x_column"] == 1);
-    CHECK(test::decided(chosen, "positions in column 1"));
+    CHECK(test::decided(chosen, "positions [um] in column 1"));
     const test::Folder folder;
     folder.write("nr.csv", text);
     const scene::Scene read =
