@@ -25,7 +25,6 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 

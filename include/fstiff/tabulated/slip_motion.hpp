@@ -50,8 +50,7 @@ struct SlipResponses {
 
 namespace detail {
 
-template <Real T>
-void require_numbers(const char* name, std::size_t given, std::size_t wanted) {
+inline void require_numbers(const char* name, std::size_t given, std::size_t wanted) {
     if (given != wanted)
         throw domain_error(Refusal{.parameter = name,
                                    .allowed = std::to_string(wanted) + " for these contacts and steps",
@@ -94,12 +93,12 @@ template <Real T>
 void slip_responses(std::span<const TangentialLaw<T>* const> laws, const SlipMotion<T>& motion, SlipResponses<T>& out,
                     const ParallelHook& parallel = {}) {
     const std::size_t count = motion.contacts * motion.steps, numbers = 3 * motion.directions;
-    if (laws.size() != 1) detail::require_numbers<T>("laws", laws.size(), motion.contacts);
-    detail::require_numbers<T>("separations", motion.separations.size(), count);
-    detail::require_numbers<T>("slips", motion.slips.size(), 2 * count);
+    if (laws.size() != 1) detail::require_numbers("laws", laws.size(), motion.contacts);
+    detail::require_numbers("separations", motion.separations.size(), count);
+    detail::require_numbers("slips", motion.slips.size(), 2 * count);
     if (motion.motion_by.size() != motion.steps * numbers)
-        detail::require_numbers<T>("motion_by", motion.motion_by.size(), count * numbers);
-    if (!motion.states.empty()) detail::require_numbers<T>("states", motion.states.size(), motion.contacts);
+        detail::require_numbers("motion_by", motion.motion_by.size(), count * numbers);
+    if (!motion.states.empty()) detail::require_numbers("states", motion.states.size(), motion.contacts);
     for (const T x : motion.motion_by) detail::require(std::isfinite(x), "motion_by", x, "finite");
     out.pressures.resize(count), out.tractions.resize(2 * count), out.tangents.resize(9 * count);
     out.responses_by.resize(count * numbers);

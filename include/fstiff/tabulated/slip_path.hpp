@@ -19,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -96,10 +95,13 @@ public:
     [[nodiscard]] const Point* begin() const { return points_; }
     [[nodiscard]] const Point* end() const { return points_ + count_; }
 
-    /// p and -dp/dd of each point by \p tangent of its level.
+    /// p and -dp/dd of each point by \p tangent of its level, which returns the two.
     template <class Tangent>
     void evaluate(const Tangent& tangent) {
-        for (int i = 0; i < count_; ++i) std::tie(points_[i].pressure, points_[i].slope) = tangent(points_[i].level);
+        for (int i = 0; i < count_; ++i) {
+            const auto [pressure, slope] = tangent(points_[i].level);
+            points_[i].pressure = pressure, points_[i].slope = slope;
+        }
     }
 
     /// Writes the nodes that are needed, after evaluate(). If there are too many, those of the least weight go first.

@@ -258,10 +258,7 @@ private:
                     Eigen::Matrix<T, Directions, Columns>::Zero()};
         }
         detail::SlipPath<T, Directions, Columns> path(before, before_by, to, friction_ / ratio_);
-        path.evaluate([this](T level) {
-            const auto [pressure, slope] = law_.tangent_at_separation(level);
-            return std::pair(pressure, slope);
-        });
+        path.evaluate([this](T level) { return law_.tangent_at_separation(level); });
         const auto result = response(path, to);
         path.remember(after, after_by);
         return result;
