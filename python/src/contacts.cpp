@@ -258,7 +258,7 @@ Answer answer_of(const std::map<std::string, In>& points, const std::map<std::st
     return answer;
 }
 
-/// Laws of an answer: after each of \p greatest, of the first loading for 0, and of its K where there is none.
+/// Laws of an answer: after each of \p greatest, of the first loading for 0 alone, and of its K where there is none.
 std::vector<TabulatedLaw> laws_of_answer(const std::map<std::string, In>& points,
                                          const std::map<std::string, double>& facts,
                                          const std::vector<double>& greatest, double quantile, double min_pressure,
@@ -267,14 +267,8 @@ std::vector<TabulatedLaw> laws_of_answer(const std::map<std::string, In>& points
     const LawRange<double> range{min_pressure, max_pressure, from_name<OutsideRange>(outside, "outside")};
     const nb::gil_scoped_release free;
     if (greatest.empty()) return {answer.law_at(quantile, range)};
-    std::vector<TabulatedLaw> laws;
-    const bool shared = answer.flows && !answer.greatest_pressure;
-    const TabulatedLaw loading = shared ? answer.loading_law(quantile, range) : TabulatedLaw();
-    for (const double p : greatest)
-        laws.push_back(shared && p != 0 ? law_after(loading, p, *answer.relative_hardness)
-                       : p == 0         ? answer.loading_law(quantile, range)
-                                        : answer.law_after(p, quantile, range));
-    return laws;
+    if (greatest.front() == 0) return {answer.loading_law(quantile, range)};
+    return answer.law_after(greatest, quantile, range);
 }
 
 /// The laws of \p contact after each of \p greatest.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace law_after_load_test {
@@ -96,6 +97,28 @@ TEST_CASE("The law after a load has K of the joint that has carried it, at each 
     CHECK(test::refused_for("quantile", [&] { (void)found.law_after(1e7, 0.3, range); }));
     for (const double p : {0.0, 1e5, 4e8, std::nan("")})
         CHECK(test::refused_for("greatest_pressure", [&] { (void)found.law_after(p, 0.5, range); }));
+}
+
+TEST_CASE("The laws after several loads are those after each, whatever the joint") {
+    Joint elastic = plates();
+    elastic.upper.hardness = elastic.lower.hardness = std::numeric_limits<double>::infinity();
+    for (const Joint& joint : {plates(), elastic, plates(2e7)}) {
+        const Answer found = answer(joint, pressures(1e5, 2e7));
+        const std::vector<double> greatest =
+            joint.greatest_pressure ? std::vector{2e7, 2e7} : std::vector{2e6, 1e7, 2e7};
+        const LawRange<double> below{1e5, 2e7, OutsideRange::extrapolate};
+        for (const double quantile : {0.05, 0.5, 0.95}) {
+            const std::vector<Law> laws = found.law_after(greatest, quantile, below);
+            REQUIRE(laws.size() == greatest.size());
+            for (std::size_t i = 0; i < laws.size(); ++i)
+                CHECK(laws[i] == found.law_after(greatest[i], quantile, below));
+        }
+        CHECK(found.law_after(std::span<const double>(), 0.5, below).empty());
+    }
+    const Answer found = answer(plates(), pressures(1e5, 2e7));
+    const auto loading = found.loading_law(0.5, {1e5, 2e7});
+    CHECK(found.law_after(std::vector{1e7}, 0.5, {1e5, 2e7}).front() ==
+          law_after(loading, 1e7, *found.relative_hardness));
 }
 
 TEST_CASE("The law after a load of an elastic joint is that of its K, and a form leaves it alone") {

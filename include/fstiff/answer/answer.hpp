@@ -191,6 +191,9 @@ struct Answer : AnswerCurve {
     /// Of a map the joint itself has the earlier load, as Joint::greatest_pressure, for boundary elements of what it
     /// left; \p greatest is then that pressure, and one of those of the answer. \throws domain_error as these.
     [[nodiscard]] ContactLaw<double> law_after(double greatest, double quantile, const LawRange<double>& range) const;
+    /// The same after each of \p greatest, such as the preloads of many bolts: they are of one loading_law().
+    [[nodiscard]] std::vector<ContactLaw<double>> law_after(std::span<const double> greatest, double quantile,
+                                                            const LawRange<double>& range) const;
 
     struct Ball;
     /// A ball of the radius \p radius [m] on the face under each of \p forces [N]. Points whose pressures rise from

@@ -17,6 +17,7 @@
 
 #include <fstiff/answer/answer.hpp>
 #include <fstiff/answer/law_errors.hpp>
+#include <fstiff/answer/nodes_of_answer.hpp>
 #include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/core/text.hpp>
 #include <fstiff/tabulated/ball_contact.hpp>
@@ -65,30 +66,19 @@ namespace detail {
     return pressures;
 }
 
-/// The law of \p answer with K, and as much -dp/dd, at the value, 0, or at an end, -1 or 1, of its band.
-[[nodiscard]] inline ContactLaw<double> law_of_ball(const Answer& answer, int end) {
+/// The law of \p answer with K, and as much -dp/dd, at the value, 0.5, or at an end, 0.05 or 0.95, of its band.
+[[nodiscard]] inline ContactLaw<double> law_of_ball(const Answer& answer, double quantile) {
     constexpr double most = 1e6;  // times K: an infinite end, next to which the bodies are soft all the same
-    std::vector<std::pair<double, double>> stiffnesses, slopes;  // ln over ln p
-    double least = 0, greatest = 0, closest = 0;
-    for (const AnswerPoint& point : answer.points) {
-        if (!point.ok()) continue;
-        const auto& [low, K, high] = point.of_faces();
-        const double x = std::log(point.pressure), factor = end == 0  ? 1
-                                                            : end < 0 ? low / K
-                                                                      : (std::min)(high / K, most);
-        stiffnesses.emplace_back(x, std::log(factor * K));
-        slopes.emplace_back(x, std::log(factor * point.loading_of_faces.value_or(point.loading_stiffness.value_or(K))));
-        if (least == 0) least = point.pressure;
-        greatest = point.pressure, closest = point.state.separation.value;
-    }
-    const RisingCurve stiffness(stiffnesses), slope(slopes);
-    const double last = std::log(greatest);
+    const NodesOfAnswer nodes(answer, quantile, most);
+    const RisingCurve stiffness(nodes.stiffnesses), slope(nodes.slopes);
+    const AnswerPoint &first = *nodes.known.front(), &last = *nodes.known.back();
     return ContactLaw<double>::tabulate_points(
         [&](double p) {
             const double x = std::log(p);
-            return LawPoint<double>{closest + slope.fall(x, last), std::exp(stiffness.at(x))};
+            return LawPoint<double>{last.state.separation.value + slope.fall(x, std::log(last.pressure)),
+                                    std::exp(stiffness.at(x))};
         },
-        answer.rms_height, {least, greatest, OutsideRange::extrapolate}, answer.flows ? 0.0 : 1.0);
+        answer.rms_height, {first.pressure, last.pressure, OutsideRange::extrapolate}, answer.flows ? 0.0 : 1.0);
 }
 
 /// Contacts per force [1/N] of \p answer where the pressure is \p pressure [Pa], or the greatest at which peaks are
@@ -107,8 +97,8 @@ namespace detail {
 }  // namespace detail
 
 inline std::vector<Answer::Ball> Answer::balls(double radius, std::span<const double> forces) const {
-    const ContactLaw<double> middle = detail::law_of_ball(*this, 0), soft = detail::law_of_ball(*this, -1),
-                             stiff = detail::law_of_ball(*this, 1);
+    const ContactLaw<double> middle = detail::law_of_ball(*this, 0.5), soft = detail::law_of_ball(*this, 0.05),
+                             stiff = detail::law_of_ball(*this, 0.95);
     // faces that are closed are smooth, which a law is too where it goes on beyond its last state
     const bool ends = std::any_of(points.begin(), points.end(), [](const AnswerPoint& point) {
         return !point.ok() && point.miss != AnswerPoint::Miss::closed;

@@ -4,53 +4,19 @@
 /// The laws of an answer, functions of answer/answer.hpp. For answer/answer_inline.hpp.
 
 #include <fstiff/answer/answer.hpp>
+#include <fstiff/answer/nodes_of_answer.hpp>
 #include <fstiff/answer/rising_curve.hpp>
 #include <fstiff/tabulated/contact_law.hpp>
 #include <fstiff/tabulated/law_after.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace fstiff { inline namespace v0_1 {
 
 namespace detail {
-
-using LogNodes = std::vector<std::pair<double, double>>;  ///< of a quantity over the pressure
-
-/// ln K and ln(-dp/dd) of the faces over ln p at the points of an answer, at a value or an end of its band: -dp/dd is
-/// as far from its value as K. Where it is not known, as of boundary elements of peaks that yield, it is that of the
-/// separations on both sides.
-class NodesOfAnswer {
-public:
-    /// \throws domain_error for another quantile.
-    NodesOfAnswer(const Answer& answer, double quantile) {
-        if (!(quantile == 0.05 || quantile == 0.5 || quantile == 0.95))
-            detail::refuse("quantile", quantile, 3, "0.05, 0.5 or 0.95");
-        std::vector<const AnswerPoint*> known;
-        for (const AnswerPoint& point : answer.points)
-            if (point.ok()) known.push_back(&point);
-        for (std::size_t i = 0; i < known.size(); ++i) {
-            const auto& [low, value, high] = known[i]->of_faces();
-            const double K = quantile < 0.5 ? low : quantile > 0.5 ? high : value, x = std::log(known[i]->pressure);
-            const auto& loading = known[i]->faces ? known[i]->loading_of_faces : known[i]->loading_stiffness;
-            const double slope = !answer.flows ? value : loading ? *loading : slope_about(known, i, value);
-            stiffnesses.emplace_back(x, std::log(K));
-            slopes.emplace_back(x, std::log((std::min)(slope, value) * (K / value)));
-        }
-    }
-    LogNodes stiffnesses{}, slopes{};
-
-private:
-    static double slope_about(const std::vector<const AnswerPoint*>& points, std::size_t i, double unknown) {
-        const AnswerPoint &a = *points[i > 0 ? i - 1 : 0], &b = *points[(std::min)(i + 1, points.size() - 1)];
-        const double fall = a.state.separation.value - b.state.separation.value,
-                     log_rise = std::log(b.pressure / a.pressure);
-        return fall / log_rise > 0 ? points[i]->pressure * log_rise / fall : unknown;
-    }
-};
 
 /// The law with -dp/dd by \p slopes, and K by \p stiffnesses; null: -dp/dd.
 inline ContactLaw<double> law_of(const LogNodes& slopes, const LogNodes* stiffnesses, const LawRange<double>& range) {
@@ -102,8 +68,7 @@ FSTIFF_INLINE ContactLaw<double> Answer::loading_law(double quantile, const LawR
 FSTIFF_INLINE ContactLaw<double> Answer::law_after(double greatest, double quantile,
                                                    const LawRange<double>& range) const {
     if (!flows) return law_at(quantile, range);
-    if (!greatest_pressure)
-        return fstiff::law_after(loading_law(quantile, range), greatest, relative_hardness.value_or(0));
+    if (!greatest_pressure) return law_after(std::span(&greatest, 1), quantile, range).front();
     if (!(std::abs(greatest / *greatest_pressure - 1) < 1e-9))
         detail::refuse("greatest_pressure", greatest, 6,
                        "that of the joint, " + detail::rounded_text(*greatest_pressure, 6) + " Pa");
@@ -118,6 +83,17 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_after(double greatest, double quant
     const ContactLaw<double> opening = part(below, range.min_pressure, greatest),
                              closing = part(above, greatest, range.max_pressure);
     return ContactLaw<double>::joined(opening, closing, closing.separations()[1]);
+}
+
+FSTIFF_INLINE std::vector<ContactLaw<double>> Answer::law_after(std::span<const double> greatest, double quantile,
+                                                                const LawRange<double>& range) const {
+    std::vector<ContactLaw<double>> laws;
+    const bool shared = flows && !greatest_pressure;
+    const ContactLaw<double> loading = shared ? loading_law(quantile, range) : ContactLaw<double>();
+    for (const double pressure : greatest)
+        laws.push_back(shared ? fstiff::law_after(loading, pressure, relative_hardness.value_or(0))
+                              : law_after(pressure, quantile, range));
+    return laws;
 }
 
 }}  // namespace fstiff
