@@ -11,9 +11,9 @@ from . import _core
 UNITS = {
     name: unit
     for unit, names in {
-        "m": "interaction_length separation separations slip spacing dx dy crop radius cutoff lambda_s lambda_c tip_radius resolution "
+        "m": "interaction_length separation slip spacing dx dy crop radius cutoff lambda_s lambda_c tip_radius resolution "
         "width window longest shortest",
-        "Pa": "pressure pressures min_pressure max_pressure from until at seating",
+        "Pa": "min_pressure max_pressure from until at",
         "Pa/m": "stiffness",
         "kg/(m^2 s)": "impedance",
         "W/(m K) or S/m": "conductivity",
@@ -94,7 +94,7 @@ def as_text(value: Any, name: str) -> Any:
     """A quantity as a text with its SI unit, as a scene has it; an array or a list of them as a list; a pure number as a number."""
     if isinstance(value, (list, tuple)):
         return [as_text(one, name) if has_units(one) else one for one in value]
-    for unit in ("", *dict.fromkeys(UNITS.values()), "N", "K"):
+    for unit in ("", *dict.fromkeys(UNITS.values()), "K"):
         if " or " in unit:
             continue
         try:

@@ -276,11 +276,13 @@ template <class Owner>
 nb::dict names_of(const Owner& owner) {
     nb::dict names;
     const auto text = [](std::string_view view) { return nb::str(view.data(), view.size()); };
-    each_field(owner, [&](std::string_view name, const auto&, const NumberFacts& facts) {
-        names[text(name)] = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
-        for (const std::string_view word : facts.words)
-            names[text(word)] = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
-    });
+    const auto take = [&](std::string_view name, const auto&, const NumberFacts& facts) {
+        const nb::tuple known = nb::make_tuple(text(facts.unit), text(facts.help), text(name));
+        names[text(name)] = known;
+        for (const std::string_view word : facts.words) names[text(word)] = known;
+    };
+    each_field(owner, take);
+    if constexpr (std::is_same_v<Owner, detail::Load>) detail::each_points(owner, take);
     if constexpr (std::is_same_v<Owner, JointFace>)
         detail::each_flag(owner, [&](std::string_view name, bool, std::string_view help) {
             names[text(name)] = nb::make_tuple(text(""), text("true: " + std::string(help)), text(name));
@@ -295,6 +297,7 @@ void add_answers(nb::module_& m) {
         nb::dict all;
         all["face"] = names_of(JointFace()), all["body"] = names_of(Body()), all["joint"] = names_of(Joint());
         all["waves"] = names_of(UltrasonicWaves()), all["friction"] = names_of(Friction());
+        all["load"] = names_of(detail::Load());
         return all;
     });
     nb::class_<FaceInput>(m, "Face", "A face, or as many as there are joints.")

@@ -4,7 +4,6 @@
 
 #include <fstiff/answer/joint_fields.hpp>
 
-#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -16,7 +15,7 @@ template <class Owner>
 [[nodiscard]] std::optional<NumberFacts> put_number(Owner& owner, std::string_view name, double value) {
     std::optional<NumberFacts> of;
     each_field(owner, [&](std::string_view each, auto& to, const NumberFacts& facts) {
-        if (each != name && std::count(facts.words.begin(), facts.words.end(), name) == 0) return;
+        if (each != name && !facts.has_word(name)) return;
         to = value, of = facts;
     });
     return of;

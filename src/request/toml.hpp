@@ -142,14 +142,15 @@ private:
     }
 };
 
-/// A table of the scene with the path of its keys; a key outside \p valid is refused with the list of them.
+/// A table of the scene, without keys where it is null, with the path of its keys; a key outside \p valid is refused
+/// with the list of them.
 class Section {
 public:
-    Section(Source& source, const toml::table& table, std::string path, std::initializer_list<std::string_view> valid)
+    Section(Source& source, const toml::table* table, std::string path, std::initializer_list<std::string_view> valid)
         : Section(source, table, std::move(path), std::span(valid.begin(), valid.size())) {}
-    Section(Source& source, const toml::table& table, std::string path, std::span<const std::string_view> valid)
-        : source_(source), table_(table), path_(std::move(path)) {
-        for (const auto& [key, node] : table)
+    Section(Source& source, const toml::table* table, std::string path, std::span<const std::string_view> valid)
+        : source_(source), table_(table ? *table : none()), path_(std::move(path)) {
+        for (const auto& [key, node] : table_)
             if (std::find(valid.begin(), valid.end(), key.str()) == valid.end())
                 throw domain_error(source.at(node) + ": " + this->key(key.str()) + ": " +
                                    unknown_key(key.str(), path_, valid));
@@ -194,6 +195,8 @@ public:
         }
         return there;
     }
+    /// Null where there is none.
+    const toml::table* find_subtable(std::string_view name) const { return find(name) ? &subtable(name) : nullptr; }
     const toml::table& subtable(std::string_view name) const {
         const toml::node& node = at(name, "is missing; the scene needs this section");
         if (!node.is_table()) source_.refuse(node, key(name), "must be a section of keys");
@@ -208,6 +211,11 @@ public:
     }
 
 private:
+    static const toml::table& none() {
+        static const toml::table empty;
+        return empty;
+    }
+
     Source& source_;
     const toml::table& table_;
     std::string path_;

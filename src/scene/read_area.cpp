@@ -18,23 +18,21 @@ namespace {
 /// The ring of contact.washer.
 Ring read_washer(Source& source, const toml::node& node, const std::string& key) {
     if (!node.is_table()) source.refuse(node, key, "must be a table such as { inner = \"8.4 mm\", outer = \"16 mm\" }");
-    const Section ring(source, *node.as_table(), key, {"inner", "outer"});
+    const Section ring(source, node.as_table(), key, {"inner", "outer"});
     const double inner = source.quantity(ring.at("inner"), ring.key("inner"), Dimension::length);
     const double outer = ring.positive("outer", Dimension::length);
-    if (!(inner >= 0)) source.refuse(ring.at("inner"), ring.key("inner"), "must be 0 or greater");
-    if (!(outer > inner))
-        source.refuse(ring.at("outer"), ring.key("outer"), "must be greater than " + ring.key("inner"));
+    if (!(inner >= 0)) ring.refuse("inner", "must be 0 or greater");
+    if (!(outer > inner)) ring.refuse("outer", "must be greater than " + ring.key("inner"));
     return {inner, outer};
 }
 
 /// The ring under the head of contact.bolt, or under its washer.
 Ring read_bolt(Source& source, const toml::node& node, const std::string& key) {
     constexpr std::array<std::string_view, 3> parts{"head", "socket", "washer"};
-    static const toml::table none;
     if (!node.is_string() && !node.is_table())
         source.refuse(node, key,
                       R"(must be a size such as "M10", or a table such as { size = "M10", under = "washer" })");
-    const Section bolt(source, node.is_table() ? *node.as_table() : none, key, {"size", "under"});
+    const Section bolt(source, node.as_table(), key, {"size", "under"});
     const toml::node& size = node.is_string() ? node : bolt.at("size");
     const std::string size_key = node.is_string() ? key : bolt.key("size");
     std::vector<std::string_view> names;
@@ -91,7 +89,7 @@ void read_area(Source& source, const Section& contact, Scene& scene, bool replac
 
 void read_form(Source& source, const Section& contact, Scene& scene) {
     each_field(scene.given, [&](std::string_view name, auto& value, const NumberFacts& facts) {
-        if (name == "aspect_ratio" || name == "flatness" || name == "greatest_pressure")
+        if (name != "nominal_area" && name != "effective_modulus")  // read before, and that of [material]
             read_number(source, contact, name, value, facts);
     });
     if (const toml::node* node = contact.find("form")) {

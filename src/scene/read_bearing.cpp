@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <string>
 
@@ -27,26 +26,21 @@ detail::MaterialRatio<double> read_core(Source& source, const Section& surface, 
                             std::string(keys[2]) + ", " + std::string(keys[3]) + " and " + std::string(keys[4]) +
                             " belong together";
     const auto height = [&](CoreKey which) {
-        const toml::node& node = surface.at(keys[which], why);
-        const double value = source.quantity(node, surface.key(keys[which]), Dimension::length);
-        if (!(value >= 0 && std::isfinite(value)) || (which == core_height && value == 0))
-            source.refuse(
-                node, surface.key(keys[which]),
-                which == core_height ? "must be finite and greater than 0" : "must be finite and not negative");
+        double value = 0;
+        static_cast<void>(surface.at(keys[which], why));
+        read_number(source, surface, keys[which], value, {.unit = "m", .low_too = which != core_height});
         return value;
     };
     const auto share = [&](CoreKey which) {
         const toml::node& node = surface.at(keys[which], why);
         const double value = source.number(node, surface.key(keys[which]));
-        if (!(value >= 0 && value <= 1))
-            source.refuse(node, surface.key(keys[which]), "must be a share from 0 to 1; 10 % is 0.1");
+        if (!(value >= 0 && value <= 1)) surface.refuse(keys[which], "must be a share from 0 to 1; 10 % is 0.1");
         return value;
     };
     const detail::MaterialRatio<double> core{height(core_height), height(peak_height), height(valley_depth),
                                              share(first_share), share(second_share)};
     if (!(core.peak_share < core.core_and_peak_share))
-        source.refuse(*surface.find(keys[second_share]), surface.key(keys[second_share]),
-                      "must be greater than " + surface.key(keys[first_share]));
+        surface.refuse(keys[second_share], "must be greater than " + surface.key(keys[first_share]));
     return core;
 }
 

@@ -22,8 +22,7 @@ namespace {
 const std::vector<std::string_view>& body_keys() {
     static const auto keys = [] {
         std::vector<std::string_view> all{"name"};
-        fstiff::Body none;
-        each_field(none, [&](std::string_view name, auto&, const NumberFacts&) { all.push_back(name); });
+        add_keys_of(fstiff::Body(), all);
         return all;
     }();
     return keys;
@@ -107,10 +106,9 @@ std::optional<double> read_hardness(Source& source, const Section& body, double 
 
 /// A name, or a section that may begin from one: what else it holds replaces the values of the name.
 ReadBody read_material(Source& source, const toml::node& node, const std::string& key) {
-    static const toml::table empty;
     if (!node.is_string() && !node.is_table())
         source.refuse(node, key, "must be the name of a material, such as \"steel\", or a section of keys");
-    const Section body(source, node.is_table() ? *node.as_table() : empty, key, body_keys());
+    const Section body(source, node.as_table(), key, body_keys());
     ReadBody read;
     if (const toml::node* name = node.is_string() ? &node : body.find("name"))
         read.name = &named_material(source, *name, node.is_string() ? key : body.key("name"));
@@ -164,7 +162,7 @@ void read_materials(Source& source, const toml::table* table, Scene& scene) {
     static const toml::table steel{{"upper", "steel"}};
     const bool assumed = !table || table->empty();
     if (table) refuse_keys_of_body(source, *table);
-    const Section material(source, assumed ? steel : *table, "material", {"upper", "lower"});
+    const Section material(source, assumed ? &steel : table, "material", {"upper", "lower"});
     const ReadBody upper =
         read_material(source, material.at("upper", "is missing; the scene needs it"), material.key("upper"));
     const toml::node* second = material.find("lower");
@@ -214,8 +212,7 @@ std::optional<double> read_impedance(Source& source, const Section& body, std::s
 /// \p material, called \p name, unless it gives its impedance itself.
 Body read_body(Source& source, const toml::table* table, const std::string& side, fstiff::Body material,
                const NamedMaterial* name, Scene& scene) {
-    static const toml::table none;
-    const Section body(source, table ? *table : none, "ultrasound." + side,
+    const Section body(source, table, "ultrasound." + side,
                        {"impedance", "density", "velocity", "shear_impedance", "shear_velocity"});
     if (body.find("impedance")) material = {};
     const std::string of = name ? std::string(name->name) : "material." + side;
@@ -235,7 +232,7 @@ Body read_body(Source& source, const toml::table* table, const std::string& side
     const auto impedance = read_impedance(source, body, "impedance", "velocity", density,
                                           velocity("velocity", "impedance", material.velocity));
     if (!impedance)
-        throw domain_error((table ? source.at(body.node()) : source.file) + ": " + body.key("impedance") +
+        throw domain_error(source.at(body.node()) + ": " + body.key("impedance") +
                            ": is missing; the scene needs it, or " + body.key("density") + " and " +
                            body.key("velocity"));
     const auto usual_shear = velocity("shear_velocity", "shear_impedance", material.shear_velocity);
@@ -247,16 +244,13 @@ Body read_body(Source& source, const toml::table* table, const std::string& side
 }  // namespace
 
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene) {
-    const Section section(source, table, "ultrasound", {"frequency", "film_stiffness", "upper", "lower"});
+    const Section section(source, &table, "ultrasound", {"frequency", "film_stiffness", "upper", "lower"});
     UltrasonicWaves waves;
     static_cast<void>(section.at("frequency"));
-    each_field(waves, [&](std::string_view name, auto& value, const NumberFacts& facts) {
-        read_number(source, section, name, value, facts);
-    });
+    read_numbers_of(source, section, waves);
     if (!std::isfinite(waves.angular()) || waves.angular() == 0)
-        source.refuse(section.at("frequency"), section.key("frequency"), "must be in the range of double precision");
-    const auto sides = [&](const char* name) { return section.find(name) ? &section.subtable(name) : nullptr; };
-    const toml::table *first = sides("upper"), *second = sides("lower");
+        section.refuse("frequency", "must be in the range of double precision");
+    const toml::table *first = section.find_subtable("upper"), *second = section.find_subtable("lower");
     if (!first && !scene.given.upper.density) static_cast<void>(section.subtable("upper"));  // which refuses it
     Body upper = read_body(source, first, "upper", scene.given.upper, scene.upper_name, scene);
     Body lower = upper;
@@ -311,7 +305,7 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
     };
     std::vector<std::string_view> keys = request::keys_of(fields);
     numbers([&](std::string_view name, auto&, const NumberFacts&) { keys.push_back(name); });
-    const Section section(source, table, "gap", keys);
+    const Section section(source, &table, "gap", keys);
     for (const std::string_view key : {"conductivity", "temperature_jump"})
         for (const std::string_view of_gas : {"medium", "accommodation"})
             if (section.find(key) && section.find(of_gas))
@@ -337,12 +331,10 @@ void read_gap(Source& source, const toml::table& table, Scene& scene) {
 void read_friction(Source& source, const toml::table& table, Scene& scene) {
     Friction& friction = scene.given.friction.emplace();
     std::vector<std::string_view> keys;
-    each_field(friction, [&](std::string_view name, auto&, const NumberFacts&) { keys.push_back(name); });
-    const Section section(source, table, "friction", keys);
+    add_keys_of(friction, keys);
+    const Section section(source, &table, "friction", keys);
     static_cast<void>(section.at("coefficient"));
-    each_field(friction, [&](std::string_view name, auto& value, const NumberFacts& facts) {
-        read_number(source, section, name, value, facts);
-    });
+    read_numbers_of(source, section, friction);
 }
 
 }  // namespace fstiff::scene

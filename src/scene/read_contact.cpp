@@ -38,10 +38,9 @@ const toml::table* section_of_law(request::Source& source, const Section& root, 
 
 void read_law_options(request::Source& source, const Section& root, LawKind law, Scene& scene) {
     std::string path;
-    static const toml::table none;
     const toml::table* table = section_of_law(source, root, law, path);
     const auto fields = [&](auto take) { each_law_option(law, scene.joint.law_options, take); };
-    const Section section(source, table ? *table : none, path, request::keys_of(fields));
+    const Section section(source, table, path, request::keys_of(fields));
     section.read(fields, [&](std::string_view key, const auto& to) {
         if constexpr (std::is_same_v<decltype(to), const bool&>)
             if (!is_shared(law)) source.record_default(section.key(key), to ? "1" : "0", to ? 1 : 0);
@@ -53,98 +52,85 @@ void read_law_options(request::Source& source, const Section& root, LawKind law,
 
 namespace {
 
-/// A list of quantities, or { from, to, count, spacing }, or one quantity. Separations may have either sign, the others
-/// are positive.
-std::vector<double> read_values(Source& source, const toml::node& node, const std::string& key, Dimension dimension) {
-    const bool loads = dimension != Dimension::length;
+/// A list of quantities, or { from, to, count, spacing }, or one quantity, each as \p facts has it.
+std::vector<double> read_values(Source& source, const toml::node& node, const std::string& key,
+                                const NumberFacts& facts) {
     const auto read_one = [&](const toml::node& item, const std::string& item_key) {
-        return loads ? source.positive(item, item_key, dimension) : source.quantity(item, item_key, dimension);
+        double value = 0;
+        source.read(item, item_key, value, request::field_of(facts));
+        return value;
     };
-    if (!node.is_array() && !node.is_table()) return {read_one(node, key)};
+    std::vector<double> points;
     if (const auto* list = node.as_array()) {
         if (list->empty()) source.refuse(node, key, "is an empty list; at least one value is needed");
-        std::vector<double> points;
         for (std::size_t i = 0; i < list->size(); ++i)
             points.push_back(read_one((*list)[i], key + "[" + std::to_string(i) + "]"));
         return points;
     }
-
-    constexpr double most = 100000;
-    constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
-    const Section range(source, *node.as_table(), key, {"from", "to", "count", "spacing"});
-    const double from = read_one(range.at("from"), range.key("from"));
-    const double to = read_one(range.at("to"), range.key("to"));
-    std::uint64_t count = 0;
-    source.read(range.at("count"), range.key("count"), count, {.low = 2, .high = most});
-    if (!(from < to)) source.refuse(range.at("to"), range.key("to"), "must be greater than " + range.key("from"));
-    const bool log =
-        range.find("spacing") ? source.choice(*range.find("spacing"), range.key("spacing"), spacings) == 0 : loads;
-    if (!range.find("spacing")) source.record_default(range.key("spacing"), std::string(spacings[log ? 0 : 1]));
-    if (log && !(from > 0))
-        source.refuse(range.at("from"), range.key("from"), "must be greater than 0 for spacing = \"log\"");
-
-    const Range spaced{from, to, count, log};
-    std::vector<double> points;
-    for (std::uint64_t i = 0; i < spaced.count; ++i) points.push_back(spaced.at(i));
+    if (!node.is_table()) return {read_one(node, key)};
+    const Section section(source, node.as_table(), key, range_keys);
+    const double from = read_one(section.at("from"), section.key("from")),
+                 to = read_one(section.at("to"), section.key("to"));
+    const Range range = read_range(source, section, from, to, facts.low == 0, 100000);
+    for (std::uint64_t i = 0; i < range.count; ++i) points.push_back(range.at(i));
     return points;
 }
 
-/// The ball of contact.ball_radius, and the pressures of its law.
-void read_ball(const Section& contact, double radius, Scene& scene) {
+/// The ball of \p load, and the pressures of its law.
+void read_ball(const Section& contact, detail::Load&& load, Scene& scene) {
     for (const char* other : {"nominal_area", "washer", "bolt", "laws"})
         (void)contact.one_of(std::array<std::string_view, 2>{"ball_radius", other});
-    scene.ball = {radius, std::move(scene.points)};
     try {
-        scene.points = detail::ball_pressures(radius, scene.joint.effective_modulus, scene.ball->forces);
+        scene.points = detail::ball_pressures(*load.ball_radius, scene.joint.effective_modulus, load.forces);
     } catch (const domain_error&) {
         contact.refuse("ball_radius", "must make a pressure in the range of double precision");
     }
+    scene.ball = {*load.ball_radius, std::move(load.forces)};
     scene.listed = scene.solves_map = false;
+}
+
+/// The keys of the points, one of which a scene has.
+std::vector<std::string_view> point_keys() {
+    std::vector<std::string_view> keys;
+    detail::Load load;
+    detail::each_points(load,
+                        [&](std::string_view name, auto&, const NumberFacts& facts) { add_keys(name, facts, keys); });
+    return keys;
 }
 
 /// The pressures, separations or forces of the scene; forces over the nominal area are pressures.
 void read_points(Source& source, const Section& contact, Scene& scene) {
-    struct Kind {
-        std::string_view name;
-        Dimension dimension;
-    };
-    constexpr std::array<Kind, 4> kinds{{{"pressures", Dimension::pressure},
-                                         {"pressure", Dimension::pressure},
-                                         {"separations", Dimension::length},
-                                         {"force", Dimension::force}}};
-    std::array<std::string_view, kinds.size()> names;
-    std::transform(kinds.begin(), kinds.end(), names.begin(), [](const Kind& kind) { return kind.name; });
-    const std::string_view name = contact.one_of(names);
-    if (name.empty())
-        static_cast<void>(contact.at("pressures",
-                                     "is missing; the scene needs contact.pressures, contact.force or "
-                                     "contact.separations"));
-    const Kind* const kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& row) { return row.name == name; });
-    const toml::node& node = contact.at(kind->name);
-    const std::string key = contact.key(kind->name);
-    scene.at_separations = kind->dimension == Dimension::length;
+    detail::Load load{.seating = scene.seating};
+    const std::string_view chosen = contact.one_of(point_keys());
+    const toml::node& node = contact.at(chosen.empty() ? "pressures" : chosen,
+                                        "is missing; the scene needs contact.pressures, contact.force or "
+                                        "contact.separations");
+    const std::string key = contact.key(chosen);
     scene.points_where = source.at(node) + ": " + key + ": ";
-    scene.points = read_values(source, node, key, kind->dimension);
+    detail::each_points(load, [&](std::string_view name, std::vector<double>& points, const NumberFacts& facts) {
+        if (name == chosen || facts.has_word(chosen)) points = read_values(source, node, key, facts);
+    });
     scene.listed = !node.is_table();
-    if (const auto seating = contact.optional_positive("seating", Dimension::pressure)) scene.seating = *seating;
-    const auto radius = contact.optional_positive("ball_radius", Dimension::length);
-    if (radius && kind->dimension != Dimension::force)
+    read_numbers_of(source, contact, load);
+    scene.seating = load.seating;
+    scene.at_separations = !load.separations.empty();
+    if (load.ball_radius && load.forces.empty())
         contact.refuse("ball_radius", "needs contact.force, the load of the ball, in place of " + key);
-    if (radius) return read_ball(contact, *radius, scene);
-    if (kind->dimension != Dimension::force) return;
+    if (load.ball_radius) return read_ball(contact, std::move(load), scene);
+    scene.points = scene.at_separations ? load.separations : load.pressures;
+    if (load.forces.empty()) return;
     if (!scene.joint.nominal_area)
         throw domain_error(scene.points_where + "needs " + contact.key("nominal_area") + ", or " +
                            contact.key("washer") + ", over which a force is a pressure");
-    scene.forces = scene.points;
     scene.quantities.emplace("force");
     scene.joint.is_given.force = true;
-    for (double& point : scene.points) {
-        point /= *scene.joint.nominal_area;
+    for (const double force : load.forces) {
+        const double point = scene.points.emplace_back(force / *scene.joint.nominal_area);
         if (!(point > 0) || !std::isfinite(point))
             source.refuse(node, key,
                           "must be a pressure on " + contact.key("nominal_area") + " in the range of double precision");
     }
+    scene.forces = std::move(load.forces);
 }
 
 /// The peak density of [surface].
@@ -164,7 +150,7 @@ detail::Peaks read_one_peaks(Source& source, const toml::node& node, const std::
     }
     if (!node.is_table())
         source.refuse(node, path, "must be a table such as { theta = \"pi/4\", r = \"exponential\" }, or \"surface\"");
-    const Section section(source, *node.as_table(), path, {"theta", "r"});
+    const Section section(source, node.as_table(), path, {"theta", "r"});
     detail::Peaks peaks;
     peaks.where = source.place(node);
     peaks.key = path + ".";
@@ -191,7 +177,7 @@ void read_interaction(Source& source, const Section& contact, Scene& scene) {
         return source.record(key, "none");
     }
     if (!node->is_table()) source.refuse(*node, key, allowed);
-    const Section table(source, *node->as_table(), key, {"reading", "length"});
+    const Section table(source, node->as_table(), key, {"reading", "length"});
     source.read(table.at("reading"), table.key("reading"), scene.given.interaction.reading);
 
     const toml::node* length = table.find("length");
@@ -284,7 +270,33 @@ void read_peaks(Source& source, const Section& contact, Scene& scene, bool repla
     }
 }
 
+/// The keys of [contact].
+std::vector<std::string_view> contact_keys() {
+    std::vector<std::string_view> keys;
+    add_keys_of(Joint(), keys);
+    std::erase(keys, "effective_modulus");  // no key: [material] has the elastic constants
+    add_keys_of(detail::Load(), keys);
+    for (const std::string_view points : point_keys()) keys.push_back(points);
+    keys.insert(keys.end(), {"washer", "bolt", "form", "laws", "peaks", "interaction"});
+    for (const LawKind law : laws_with_options) keys.push_back(name_of(law));
+    return keys;
+}
+
 }  // namespace
+
+Range read_range(request::Source& source, const Section& section, double from, double to, bool log,
+                 std::uint64_t most) {
+    constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
+    std::uint64_t count = 0;
+    source.read(section.at("count"), section.key("count"), count, {.low = 2, .high = static_cast<double>(most)});
+    if (!(from < to)) section.refuse("to", "must be greater than " + section.key("from"));
+    if (const toml::node* spacing = section.find("spacing"))
+        log = source.choice(*spacing, section.key("spacing"), spacings) == 0;
+    else
+        source.record_default(section.key("spacing"), std::string(spacings[log ? 0 : 1]));
+    if (log && !(from > 0)) section.refuse("from", "must be greater than 0 for spacing = \"log\"");
+    return {from, to, count, log};
+}
 
 void resolve(Scene& scene) {
     const auto is_given = scene.joint.is_given;
@@ -299,12 +311,7 @@ void resolve(Scene& scene) {
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced) {
     for (const LawKind law : laws_with_options)
         if (is_shared(law)) read_law_options(source, root, law, scene);
-    std::vector<std::string_view> keys{"nominal_area", "washer",       "ball_radius", "pressures", "pressure",
-                                       "separations",  "force",        "seating",     "laws",      "peaks",
-                                       "interaction",  "aspect_ratio", "flatness",    "form",      "greatest_pressure",
-                                       "bolt"};
-    for (const LawKind law : laws_with_options) keys.push_back(name_of(law));
-    const Section contact(source, root.subtable("contact"), "contact", keys);
+    const Section contact(source, &root.subtable("contact"), "contact", contact_keys());
     const std::pair<const char*, void (*)(Source&, const toml::table&, Scene&)> sections[]{
         {"gap", read_gap}, {"friction", read_friction}, {"ultrasound", read_ultrasound}};
     for (const auto& [name, read] : sections) {

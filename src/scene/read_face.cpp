@@ -102,7 +102,8 @@ void record_measured(Source& source, const surface::MeasuredSurface& measured, c
 
 /// The keys of a face in \p table.
 std::vector<std::string_view> keys_of_face(const toml::table& table) {
-    std::vector<std::string_view> keys = number_keys();
+    std::vector<std::string_view> keys;
+    add_keys_of(JointFace(), keys);
     for (const std::string_view key : {"from", "errors", "process", "worn", "measured"}) keys.push_back(key);
     for (const std::string_view key : bearing_keys()) keys.push_back(key);
     if (table.contains("from"))
@@ -181,7 +182,7 @@ void read_origin(Source& source, const toml::table& surface, const std::string& 
 detail::Face read_face(Source& source, const toml::table& table, const std::string& path, Scene& scene,
                        const ProgressHook& progress) {
     refuse_extremes(source, table, path);
-    const Section surface(source, table, path, keys_of_face(table));
+    const Section surface(source, &table, path, keys_of_face(table));
     JointFace given;
     Measured& measured = scene.measured.emplace_back();
     if (surface.find("from")) {
@@ -242,7 +243,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
         source.record("surface.lower", "smooth (default): [surface] alone is one rough face");
         return;
     }
-    const Section surface(source, table, "surface", {"upper", "lower", "shifts"});
+    const Section surface(source, &table, "surface", {"upper", "lower", "shifts"});
     if (!surface.find("upper") || !surface.find("lower")) {
         const char* there = surface.find("upper") ? "upper" : "lower";
         scene.joint.face = read_face(source, surface.subtable(there), surface.key(there), scene, progress);

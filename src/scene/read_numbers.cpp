@@ -17,12 +17,6 @@ namespace {
 
 const JointFace no_face{};  // of which names and facts are read
 
-/// Adds the keys of the number \p name to \p keys.
-void add_keys(std::string_view name, const NumberFacts& facts, std::vector<std::string_view>& keys) {
-    keys.push_back(name);
-    keys.insert(keys.end(), facts.words.begin(), facts.words.end());
-}
-
 /// The keys of each number, in the order of each_field(): its own, and those of the numbers that are the same in
 /// another way.
 std::vector<std::vector<std::string_view>> all_ways() {
@@ -85,16 +79,6 @@ bool is_measured(const JointFace& face, std::string_view name) {
 
 }  // namespace
 
-const std::vector<std::string_view>& number_keys() {
-    static const auto keys = [] {
-        std::vector<std::string_view> all;
-        each_field(no_face,
-                   [&](std::string_view name, const auto&, const NumberFacts& facts) { add_keys(name, facts, all); });
-        return all;
-    }();
-    return keys;
-}
-
 std::string key_of_number(const Section& surface, std::string_view name) {
     std::string key;
     each_field(no_face, [&](std::string_view each, const auto&, const NumberFacts& facts) {
@@ -133,7 +117,7 @@ void read_errors(Source& source, const Section& surface, JointFace& face) {
     each_field(no_face, [&](std::string_view name, const auto&, const NumberFacts& facts) {
         if (facts.error) add_keys(name, facts, keys);
     });
-    const Section errors(source, *node->as_table(), surface.key("errors"), keys);
+    const Section errors(source, node->as_table(), surface.key("errors"), keys);
     each_field(std::as_const(face), [&](std::string_view name, const auto&, const NumberFacts& facts) {
         if (const std::string_view key = facts.error ? written_key(errors, name, facts) : ""; !key.empty())
             face.errors.*facts.error = read_error(source, errors, surface, key,

@@ -34,8 +34,7 @@ std::string_view key_of(AnswerQuantity::Need need) {
 }
 
 void read_output(Source& source, const toml::table* table, Scene& scene) {
-    static const toml::table none;
-    const Section output(source, table ? *table : none, "output", {"quantities"});
+    const Section output(source, table, "output", {"quantities"});
     const std::string key = output.key("quantities");
     const std::vector<const AnswerQuantity*> quantities = words_for_quantities();
     std::vector<std::string_view> words;
@@ -69,7 +68,7 @@ void read_uncertainty(Source& source, const toml::table& table, Scene& scene) {
         take("samples", scene.samples, Field{.high = 100000});
         take("seed", scene.seed, Field{});
     };
-    const Section section(source, table, "uncertainty", request::keys_of(fields));
+    const Section section(source, &table, "uncertainty", request::keys_of(fields));
     section.read(fields);
     if (scene.samples > 0 && scene.samples < 20) section.refuse("samples", "must be 0 for no band, or at least 20");
 }
@@ -233,7 +232,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     Scene scene;
     scene.file = file;
 
-    const Section top(source, root, "",
+    const Section top(source, &root, "",
                       {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap",
                        "friction", "uncertainty", "output"});
     scene.name = document::name_of_path(document::path_of(file).stem());
@@ -255,7 +254,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
                          : measured;
     }
     if (top.find("uncertainty")) read_uncertainty(source, top.subtable("uncertainty"), scene);
-    read_materials(source, top.find("material") ? &top.subtable("material") : nullptr, scene);
+    read_materials(source, top.find_subtable("material"), scene);
     if (builtin && replaced) scene.assumptions.push_back("the material, which is the steel of the built-in scene");
     read_contact(source, top, scene, replaced);
     for (const Assumed& number : scene.assumed())
@@ -274,7 +273,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     warn_of_gradients(scene);
     warn_of_units(scene);
     scene.inputs.swap(source.inputs);  // which quantities look at
-    read_output(source, top.find("output") ? &top.subtable("output") : nullptr, scene);
+    read_output(source, top.find_subtable("output"), scene);
     scene.inputs.insert(scene.inputs.end(), source.inputs.begin(), source.inputs.end());
     scene.files.swap(source.files);
     return scene;

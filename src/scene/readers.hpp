@@ -7,6 +7,8 @@
 
 #include <fstiff/core/parallel.hpp>
 
+#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +60,17 @@ void resolve(Scene& scene);
 [[nodiscard]] std::vector<std::string_view> bearing_keys();
 [[nodiscard]] std::string first_bearing_key(const Section& surface);
 void read_bearing(Source& source, const Section& surface, JointFace& face);
+/// Adds the number \p name, and other words for it, to \p keys.
+inline void add_keys(std::string_view name, const NumberFacts& facts, std::vector<std::string_view>& keys) {
+    keys.push_back(name);
+    keys.insert(keys.end(), facts.words.begin(), facts.words.end());
+}
+/// Adds those of \p owner.
+template <class Owner>
+void add_keys_of(const Owner& owner, std::vector<std::string_view>& keys) {
+    each_field(owner,
+               [&](std::string_view name, const auto&, const NumberFacts& facts) { add_keys(name, facts, keys); });
+}
 /// Reads the number \p name of a joint into \p value, if \p section has it. \return whether it has.
 template <class Value>
 bool read_number(Source& source, const Section& section, std::string_view name, Value& value,
@@ -70,14 +83,25 @@ bool read_number(Source& source, const Section& section, std::string_view name, 
     value = number;
     return true;
 }
+/// Reads the numbers of \p owner that \p section has.
+template <class Owner>
+void read_numbers_of(Source& source, const Section& section, Owner& owner) {
+    each_field(owner, [&](std::string_view name, auto& value, const NumberFacts& facts) {
+        read_number(source, section, name, value, facts);
+    });
+}
+/// The range \p section of values between \p from and \p to, which are read: of at most \p most, equal steps of the
+/// logarithm where \p log is true and it has no spacing.
+[[nodiscard]] Range read_range(request::Source& source, const Section& section, double from, double to, bool log,
+                               std::uint64_t most);
+inline constexpr std::array<std::string_view, 4> range_keys{"from", "to", "count", "spacing"};
 /// A number that follows from one of another name, and where it belongs among Source::inputs.
 struct Following {
     std::size_t place;
     std::string_view name, of;
     double value;  ///< as it is written
 };
-/// The keys of the numbers of a face, and the one by which \p surface writes the number \p name; empty: it does not.
-[[nodiscard]] const std::vector<std::string_view>& number_keys();
+/// The key by which \p surface writes the number \p name of a face; empty: it does not.
 [[nodiscard]] std::string key_of_number(const Section& surface, std::string_view name);
 /// Reads the numbers of a face, and their standard errors. \return those that follow from what is written.
 [[nodiscard]] std::vector<Following> read_numbers(Source& source, const Section& surface, JointFace& face);

@@ -2,6 +2,7 @@
 #include "sweep/grid.hpp"
 
 #include "document/file.hpp"
+#include "scene/readers.hpp"
 #include "sweep/template.hpp"
 
 #include <fstiff/io/quantities.hpp>
@@ -30,6 +31,8 @@ struct Swept {
     Axis axis;
     toml::array listed;
     toml::source_position begin;
+    std::optional<Dimension> dimension;  ///< of its numbers, where they are those of a joint or of its load
+    bool loads = false;                  ///< they are pressures or forces
 };
 
 /// A number of the grid: with a unit, or plain.
@@ -44,36 +47,41 @@ bool names_text(const std::string& key) {
     return key.ends_with(".from") || key.ends_with(".mask") || key.ends_with(".name");
 }
 
-/// The dimension of the numbers at \p key, "surface.rms_height" or "contact.pressures[0]", where they are those of a
-/// joint or of its loads; none of others.
-std::optional<Dimension> dimension_of_key(std::string_view key) {
-    static const auto dimensions = [] {
-        std::map<std::string, Dimension, std::less<>> all{{"contact.pressure", Dimension::pressure},
-                                                          {"contact.pressures", Dimension::pressure},
-                                                          {"contact.separations", Dimension::length},
-                                                          {"contact.force", Dimension::force}};
-        const auto add = [&](const std::string& section, auto owner) {
-            each_field(owner, [&](std::string_view name, const auto&, const NumberFacts& facts) {
-                const auto dimension = request::dimension_of(facts.unit);
-                if (!dimension) return;
-                all.emplace(section + "." + std::string(name), *dimension);
-                for (const auto word : facts.words) all.emplace(section + "." + std::string(word), *dimension);
-            });
+/// A number of a joint or of its load, or a list of points.
+struct Known {
+    NumberFacts facts;
+    bool is_list = false;
+};
+
+/// That of the key \p key of a scene, such as "surface.rms_height" or "contact.pressures"; null of others.
+const Known* known_at(const std::string& key) {
+    static const auto numbers = [] {
+        std::map<std::string, Known> all;
+        std::string section;
+        bool is_list = false;
+        const auto take = [&](std::string_view name, const auto&, const NumberFacts& facts) {
+            std::vector<std::string_view> names;
+            scene::add_keys(name, facts, names);
+            for (const auto each : names) all.emplace(section + "." + std::string(each), Known{facts, is_list});
         };
+        const auto add = [&](const char* to, const auto& owner) { section = to, each_field(owner, take); };
         for (const char* surface : {"surface", "surface.upper", "surface.lower"}) add(surface, JointFace());
         for (const char* body : {"material.upper", "material.lower"}) add(body, Body());
-        add("contact", Joint()), add("friction", Friction()), add("ultrasound", UltrasonicWaves());
+        add("friction", Friction()), add("ultrasound", UltrasonicWaves());
         add("gap", GapFilling<double>()), add("gap", Conduction());
+        const detail::Load load;
+        add("contact", Joint()), add("contact", load);
+        is_list = true, detail::each_points(load, take);
         return all;
     }();
-    const auto entry = dimensions.find(key.substr(0, key.find('[')));
-    return entry == dimensions.end() ? std::nullopt : std::optional(entry->second);
+    const auto entry = numbers.find(key);
+    return entry == numbers.end() ? nullptr : &entry->second;
 }
 
-/// \p node of the axis \p axis as a number, with its unit or, where the axis is not known, one of any kind; none for
-/// other texts, lists, tables.
+/// \p node of \p swept as a number, with its unit or, where its dimension is not known, one of any kind; none for other
+/// texts, lists, tables.
 std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node& node, const std::string& key,
-                                          const std::string& axis) {
+                                          const Swept& swept) {
     if (node.is_number()) {
         double value = 0;
         const auto number = request::value_of(node);
@@ -82,9 +90,8 @@ std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node
     }
     if (!node.is_string()) return std::nullopt;
     const std::string text = request::written(node);
-    const auto known = dimension_of_key(axis);
     for (const auto& [dimension, name] : enum_names<Dimension>) {
-        if (known && dimension != *known) continue;
+        if (swept.dimension && dimension != *swept.dimension) continue;
         try {
             return NumberWithUnit{io::parse_quantity(text, dimension, ""), dimension};
         } catch (const domain_error&) {
@@ -94,13 +101,13 @@ std::optional<NumberWithUnit> quantity_of(const Source& source, const toml::node
 }
 
 /// Two quantities of one kind, such as the ends of a range.
-std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const std::string& axis,
+std::pair<NumberWithUnit, NumberWithUnit> two_quantities(const Source& source, const Swept& swept,
                                                          const toml::node& first, const toml::node& second,
                                                          const std::string& first_key, const std::string& second_key) {
     const auto finite = [&](const toml::node& node, const std::string& key) {
-        const auto number = quantity_of(source, node, key, axis);
-        if (const auto known = dimension_of_key(axis); !number && known && node.is_string())
-            source.located(node, [&] { return io::parse_quantity(request::written(node), *known, key); });
+        const auto number = quantity_of(source, node, key, swept);
+        if (!number && swept.dimension && node.is_string())
+            source.located(node, [&] { return io::parse_quantity(request::written(node), *swept.dimension, key); });
         if (!number || !std::isfinite(number->value))
             source.refuse(node, key, "must be a finite number, or a text of a number and its unit such as \"0.8 um\"");
         return *number;
@@ -117,28 +124,17 @@ std::string unit_of(const std::optional<Dimension>& dimension) {
 
 /// { from, to, count, spacing }
 void read_range(Source& source, const toml::table& table, Swept& swept) {
-    const std::string& key = swept.axis.key;
-    const Section section(source, table, key, {"from", "to", "count", "spacing"});
+    const Section section(source, &table, swept.axis.key, scene::range_keys);
     const auto [from, to] =
-        two_quantities(source, key, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
-    std::uint64_t count = 0;
-    source.read(section.at("count"), section.key("count"), count, {.low = 2, .high = most_scenes});
-    constexpr std::array<std::string_view, 2> spacings{"log", "linear"};
-    const bool log = section.find("spacing")
-                         ? source.choice(*section.find("spacing"), section.key("spacing"), spacings) == 0
-                         : key.starts_with("contact.pressure") || key.starts_with("contact.force");
-    if (!(from.value < to.value))
-        source.refuse(section.at("to"), section.key("to"), "must be greater than " + section.key("from"));
-    if (log && !(from.value > 0))
-        source.refuse(section.at("from"), section.key("from"), "must be greater than 0 for spacing = \"log\"");
-    swept.axis.range = scene::Range{from.value, to.value, count, log};
+        two_quantities(source, swept, section.at("from"), section.at("to"), section.key("from"), section.key("to"));
+    swept.axis.range = scene::read_range(source, section, from.value, to.value, swept.loads, most_scenes);
     swept.axis.whole = from.whole && to.whole;
     swept.axis.unit = unit_of(from.dimension);
 }
 
 /// { normal = [a, b] } and its like.
 void read_distribution(Source& source, const toml::table& table, std::size_t kind, Swept& swept) {
-    const Section section(source, table, swept.axis.key, kinds);
+    const Section section(source, &table, swept.axis.key, kinds);
     const std::string key = section.key(kinds[kind]);
     const toml::node& node = section.at(kinds[kind]);
     const auto* pair = node.as_array();
@@ -153,8 +149,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
     Distribution& drawn = swept.axis.drawn.emplace();
     drawn.kind = static_cast<Distribution::Kind>(kind);
     if (log) {
-        const auto middle = quantity_of(source, first, key, swept.axis.key),
-                   spread = quantity_of(source, second, key, swept.axis.key);
+        const auto middle = quantity_of(source, first, key, swept), spread = quantity_of(source, second, key, swept);
         if (!middle || !spread || !(middle->value > 0) || !(spread->value > 0)) source.refuse(node, key, allowed);
         drawn.a = middle->value, drawn.b = spread->value;
         if (!second.is_number()) {  // a mean and a standard deviation of the quantity itself
@@ -166,7 +161,7 @@ void read_distribution(Source& source, const toml::table& table, std::size_t kin
         swept.axis.unit = unit_of(middle->dimension);
         return;
     }
-    const auto [a, b] = two_quantities(source, swept.axis.key, first, second, key + "[0]", key + "[1]");
+    const auto [a, b] = two_quantities(source, swept, first, second, key + "[0]", key + "[1]");
     drawn.a = a.value, drawn.b = b.value;
     swept.axis.unit = unit_of(a.dimension);
     if (kind == 0 && !(b.value > 0)) source.refuse(second, key + "[1]", "must be greater than 0");
@@ -194,7 +189,7 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
     if (!list || list->empty()) source.refuse(node, key, "must be a list of at least one value");
     swept.listed = *list;
     std::optional<NumberWithUnit> first;
-    if (!names_text(swept.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]", swept.axis.key);
+    if (!names_text(swept.axis.key)) first = quantity_of(source, (*list)[0], key + "[0]", swept);
     for (std::size_t i = 0; i < list->size(); ++i) {
         const toml::node& item = (*list)[i];
         if (!first) {
@@ -202,7 +197,7 @@ void read_list(const Source& source, const toml::node& node, const std::string& 
             continue;
         }
         const std::string item_key = key + "[" + std::to_string(i) + "]";
-        const auto number = quantity_of(source, item, item_key, swept.axis.key);
+        const auto number = quantity_of(source, item, item_key, swept);
         if (!number || number->dimension != first->dimension)
             source.refuse(item, item_key, "must be of the same kind as the first of the list");
         swept.axis.numbers.push_back(number->value);
@@ -233,7 +228,7 @@ public:
                 return add(node, key, [&](Swept& axis) { read_distribution(source_, *table, kind, axis); });
         if (table->contains("values")) {
             return add(node, key, [&](Swept& axis) {
-                const Section section(source_, *table, key, {"values"});
+                const Section section(source_, table, key, {"values"});
                 read_list(source_, section.at("values"), section.key("values"), axis);
             });
         }
@@ -247,11 +242,10 @@ public:
 private:
     /// Whether the scene has a list here, so that one means many values of one scene.
     static bool takes_list(const std::string& key) {
-        static const std::set<std::string> lists{"surface.from",      "surface.upper.from", "surface.lower.from",
-                                                 "contact.pressures", "contact.pressure",   "contact.separations",
-                                                 "contact.force",     "contact.laws",       "contact.peaks",
-                                                 "output.quantities"};
-        return lists.contains(key);
+        static const std::set<std::string> lists{"surface.from", "surface.upper.from", "surface.lower.from",
+                                                 "contact.laws", "contact.peaks",      "output.quantities"};
+        const Known* known = known_at(key);
+        return lists.contains(key) || (known && known->is_list);
     }
     template <class Read>
     void add(const toml::node& node, const std::string& key, const Read& read) {
@@ -260,6 +254,13 @@ private:
         Swept& swept = axes.emplace_back();
         swept.axis.key = key;
         swept.begin = node.source().begin;
+        const std::size_t bracket = key.find('[');
+        if (const Known* known = known_at(key.substr(0, bracket))) {
+            swept.dimension = request::dimension_of(known->facts.unit);
+            swept.loads = known->is_list && known->facts.low == 0;
+            if (known->is_list && swept.dimension != Dimension::force)  // from which the points follow
+                swept.axis.point = bracket == key.npos ? 0 : std::stoul(key.substr(bracket + 1));
+        }
         read(swept);
     }
 
@@ -269,7 +270,6 @@ private:
 
 /// [sweep]
 void read_sweep(Source& source, const toml::table* table, Grid& grid) {
-    static const toml::table none;
     bool draws = false;
     for (const Axis& axis : grid.axes) draws = draws || axis.drawn;
     grid.samples = draws ? 1000 : 1;
@@ -278,7 +278,7 @@ void read_sweep(Source& source, const toml::table* table, Grid& grid) {
         take("samples", grid.samples, Field{.low = 1, .high = most_scenes});
         take("seed", grid.seed, Field{});
     };
-    const Section section(source, table ? *table : none, "sweep", request::keys_of(fields));
+    const Section section(source, table, "sweep", request::keys_of(fields));
     section.read(fields);
     if (section.find("samples") && !draws)
         section.refuse("samples", "needs a distribution, such as { normal = [\"5 um\", \"0.2 um\"] }");
@@ -339,10 +339,7 @@ void Grid::values(std::uint64_t index, std::vector<Value>& values) const {
         }
         value.place = mode == Mode::zip ? rest : rest % axis.count();
         if (mode == Mode::product) rest /= axis.count();
-        if (axis.range)
-            value.number = axis.range->at(value.place);
-        else if (!axis.numbers.empty())
-            value.number = axis.numbers[value.place];
+        value.number = axis.number_at(value.place);
     }
 }
 

@@ -35,22 +35,28 @@ struct Axis {
     std::string unit;  ///< SI; empty of plain numbers and texts
     std::optional<scene::Range> range{};
     std::optional<Distribution> drawn{};
-    std::uint32_t input = 0;           ///< of a distribution: its number among them
-    std::vector<double> numbers{};     ///< of a list of quantities or numbers
-    std::vector<std::string> texts{};  ///< of any other list: as results show them
-    bool whole = false;                ///< of a range: whole numbers stay whole numbers
+    std::uint32_t input = 0;             ///< of a distribution: its number among them
+    std::vector<double> numbers{};       ///< of a list of quantities or numbers
+    std::vector<std::string> texts{};    ///< of any other list: as results show them
+    bool whole = false;                  ///< of a range: whole numbers stay whole numbers
+    std::optional<std::size_t> point{};  ///< its place among the points of the scene; none: it is not one of them
 
     /// 1 for a distribution: its draws are samples of every point of the grid.
     [[nodiscard]] std::uint64_t count() const {
         return range ? range->count : drawn ? 1 : numbers.empty() ? texts.size() : numbers.size();
     }
     [[nodiscard]] bool is_text() const { return !texts.empty(); }
+    /// The number at \p place; the median of a distribution, 0 of a text.
+    [[nodiscard]] double number_at(std::uint64_t place) const {
+        return drawn ? drawn->quantile(0.5) : range ? range->at(place) : numbers.empty() ? 0 : numbers[place];
+    }
 };
 
 /// Value of one scene on an axis.
 struct Value {
     double number = 0;        ///< SI; 0 of a text
     std::uint64_t place = 0;  ///< on the axis; 0 of a distribution
+    [[nodiscard]] bool operator==(const Value& other) const = default;
 };
 
 /// Scenes by their indices: from \p first up to \p end, which is none of them.

@@ -34,12 +34,13 @@ bool put_number(Owner& owner, std::string_view name, double value) {
     return facts && facts->holds(value);
 }
 
-/// The same at \p key of a scene, where the number enters as it is and no other one of \p root follows from it.
-bool put_number_at(Scene& scene, const toml::table& root, std::string_view key, double value) {
+/// The same at \p axis of a scene, where the number enters as it is and no other one of \p root follows from it.
+bool put_number_at(Scene& scene, const toml::table& root, const Axis& axis, double value) {
+    const std::string_view key = axis.key;
     const std::size_t dot = key.rfind('.');
     const std::string_view section = key.substr(0, dot), name = key.substr(dot + 1);
-    if (section == "contact" && (name.starts_with("pressures[") || name.starts_with("separations["))) {
-        scene.points[std::stoul(std::string(name.substr(name.find('[') + 1)))] = value;
+    if (axis.point) {
+        scene.points[*axis.point] = value;
         return std::isfinite(value) && (scene.at_separations || value > 0);
     }
     if (section == "surface") return put_number(scene.given.face, name, value);
@@ -83,27 +84,19 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
 
     // errors of values are reported before anything is computed: the ends of every axis are read
     std::vector<Value> values(grid.axes.size());
-    const auto put = [&](std::size_t i, bool last) {
-        const Axis& axis = grid.axes[i];
-        values[i].place = last ? axis.count() - 1 : 0;
-        values[i].number = axis.drawn             ? axis.drawn->quantile(0.5)
-                           : axis.range           ? axis.range->at(values[i].place)
-                           : axis.numbers.empty() ? 0
-                                                  : axis.numbers[values[i].place];
-    };
-    for (std::size_t i = 0; i < values.size(); ++i) put(i, false);
+    const auto put = [&](std::size_t i, std::uint64_t place) { values[i] = {grid.axes[i].number_at(place), place}; };
+    for (std::size_t i = 0; i < values.size(); ++i) put(i, 0);
     const Scene first = read(values);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Axis& axis = grid.axes[i];
         if (axis.drawn || axis.key.ends_with(".from")) continue;  // a file is measured when it is its turn
-        put(i, true);
+        put(i, axis.count() - 1);
         if (grid.mode == Mode::product) static_cast<void>(read(values));
-        put(i, false);
+        put(i, 0);
     }
 
-    const auto point = std::find_if(grid.axes.begin(), grid.axes.end(), [](const Axis& axis) {
-        return !axis.is_text() && (axis.key == "contact.pressures[0]" || axis.key == "contact.separations[0]");
-    });
+    const auto point = std::find_if(grid.axes.begin(), grid.axes.end(),
+                                    [](const Axis& axis) { return !axis.is_text() && axis.point == std::size_t(0); });
     point_axis_ = static_cast<std::size_t>(point - grid.axes.begin());
     // boundary elements take seconds a point, and another law may not be computed so
     folds_ = point != grid.axes.end() && first.points.size() == 1 &&
@@ -114,7 +107,7 @@ SceneMaker::SceneMaker(const Grid& grid, scene::SceneSource from)
 
 bool SceneMaker::alike(const std::vector<Value>& a, const std::vector<Value>& b) const {
     for (std::size_t i = 0; i < a.size(); ++i)
-        if (i != point_axis_ && (a[i].place != b[i].place || a[i].number != b[i].number)) return false;
+        if (i != point_axis_ && a[i] != b[i]) return false;
     return true;
 }
 
@@ -161,7 +154,7 @@ Scene SceneMaker::read(const std::vector<Value>& values) {
     if (!measured_) return read_with(values, nullptr);
     RecentSurfaces::Key surface;
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (grid_.axes[i].key.starts_with("surface.")) surface.emplace_back(values[i].place, values[i].number);
+        if (grid_.axes[i].key.starts_with("surface.")) surface.push_back(values[i]);
     std::shared_ptr<const Scene> own;
     const auto first =
         surfaces_.get(surface, [&] { return own = std::make_shared<const Scene>(read_with(values, nullptr)); });
@@ -173,8 +166,8 @@ bool SceneMaker::put(const std::vector<Value>& values, Work& work) const {
     bool only_points = true;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Axis& axis = grid_.axes[i];
-        if (values[i].place == work.made_for[i].place && values[i].number == work.made_for[i].number) continue;
-        if (axis.is_text() || !put_number_at(work.scene, grid_.form->root, axis.key, values[i].number)) return false;
+        if (values[i] == work.made_for[i]) continue;
+        if (axis.is_text() || !put_number_at(work.scene, grid_.form->root, axis, values[i].number)) return false;
         only_points = only_points && i == point_axis_;
     }
     if (only_points && folds_) return true;

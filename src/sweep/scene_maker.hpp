@@ -24,8 +24,7 @@ namespace fstiff::sweep {
 /// The measured surfaces that were read last, for all threads: each in a scene that has it.
 class RecentSurfaces {
 public:
-    /// Place and number of each value that distinguishes them.
-    using Key = std::vector<std::pair<std::uint64_t, double>>;
+    using Key = std::vector<Value>;  ///< each value that distinguishes them
     using Read = std::shared_ptr<const scene::Scene>;
 
     /// The scene of \p key; where it is not there, what \p read gives. A thread waits while another one reads the

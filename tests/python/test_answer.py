@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import fstiff
+from fstiff._units import si_unit
 
 PRESSURES = np.array([1e6, 1e7, 1e8])
 CONTACT = {"pressures": ["1 MPa", "10 MPa", "100 MPa"]}
@@ -172,6 +173,20 @@ def test_each_number_of_the_library_is_a_keyword():
         fstiff.answer(height=1e-6, pressures=1e7)
     with pytest.raises(ValueError, match="^rms_hight: must be one of rms_height, Rq.*; did you mean rms_height?"):
         fstiff.answer(rms_hight=1e-6, pressures=1e7)
+
+
+def test_each_number_of_a_load_has_its_unit():
+    fields = fstiff._core.numbers_of_joint()["load"]
+    assert set(fields) == {"pressures", "pressure", "separations", "force", "seating", "ball_radius"}
+    for name, (unit, meaning, main) in fields.items():
+        assert si_unit(name) == unit and meaning and (main == name or name == "pressure")
+    of = dict(rms_height="0.8 um", samples=0)
+    texts = fstiff.answer(**of, pressures=["1 MPa", "10 MPa"], seating="2 kPa")
+    plain = fstiff.answer(**of, pressures=[1e6, 1e7], seating=2e3)
+    np.testing.assert_array_equal(texts["approach_m"], plain["approach_m"])
+    for name in ("pressures", "seating"):
+        with pytest.raises(ValueError, match=f'^{name} = "1 kg": "kg" is not a unit of pressure'):
+            fstiff.answer(**{**of, "pressures": 1e7, name: "1 kg"})
 
 
 def test_processes_and_grades_by_other_words():

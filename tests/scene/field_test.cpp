@@ -65,7 +65,7 @@ Owner of_scene(const std::string& text, std::vector<request::Input>* inputs = nu
     fstiff::request::Source source{.file = "s.toml"};
     const toml::table root = fstiff::request::parse_toml(text, source.file);
     const auto fields = [&](auto take) { owner.each_field(take); };
-    const fstiff::request::Section section(source, root, "", fstiff::request::keys_of(fields));
+    const fstiff::request::Section section(source, &root, "", fstiff::request::keys_of(fields));
     section.read(fields);
     if (inputs) *inputs = source.inputs;
     return owner;

@@ -4,6 +4,7 @@
 // in tests/python/test_answer.py, the names of C in tests/c.
 #include <fstiff/answer/joint_fields.hpp>
 
+#include "support/accuracy.hpp"
 #include "support/library.hpp"
 #include "sweep/grid.hpp"
 #include "sweep/lines.hpp"
@@ -11,9 +12,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace joint_fields_test {
@@ -32,6 +35,7 @@ std::string_view kind_of(std::string_view unit) {
                                                              {"W/(m K)", "W/(m K)"},
                                                              {"S/m", "S/m"},
                                                              {"Hz", "frequency"},
+                                                             {"N", "force"},
                                                              {"Pa/m", "stiffness per area"},
                                                              {"m^2 K/W", "mm^2 K/W"},
                                                              {"ohm m^2", "ohm um^2"}};
@@ -82,7 +86,7 @@ void check_row(const std::string& page, const std::string& section, const std::s
                              : facts.unit == "m" ? "length"
                                                  : std::string(kind_of(facts.unit));
     CHECK(row.find(kind) != row.npos);
-    if (!facts.row && facts.high > 1e300)
+    if (!facts.row && facts.high > 1e300 && facts.low > -1e300)
         CHECK(row.find((facts.low_too ? ">= " : "> ") + fstiff::document::shortest(facts.low)) != row.npos);
 }
 
@@ -198,6 +202,109 @@ TEST_CASE("every number of bodies, waves, friction and the gap is a key, a refus
     check("ultrasound", UltrasonicWaves());
     check("gap", GapFilling<double>());
     check("gap", Conduction(), "_film");
+}
+
+namespace {
+
+/// Number of \p scene at \p key, with its unit.
+std::optional<double> recorded_number(const scene::Scene& scene, const std::string& key, std::string_view unit) {
+    for (const auto& input : scene.inputs)
+        if (input.key == key && input.unit == unit) return input.value;
+    return std::nullopt;
+}
+
+std::string scene_of_load(const std::string& keys) {
+    return "[surface]\nRa = \"0.8 um\"\n[output]\nquantities = [\"stiffness\", \"approach\"]\n[contact]\n" + keys;
+}
+
+}  // namespace
+
+TEST_CASE("every kind of points is a key, a record, a refusal, a suggestion, an axis and a row of the page") {
+    const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
+    std::vector<std::string> all;
+    const detail::Load load;
+    detail::each_points(load, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+        std::vector<std::string_view> keys{name};
+        keys.insert(keys.end(), facts.words.begin(), facts.words.end());
+        for (const std::string_view each : keys) {
+            const std::string key(all.emplace_back(each)), path = "contact." + key;
+            INFO(key);
+            const double number = facts.unit == "Pa" ? 1e7 : facts.unit == "N" ? 1000 : 1.5e-6;
+            const std::string one = written(number, facts.unit), two = written(0.9 * number, facts.unit);
+            const auto text = [&](const std::string& value) {
+                return scene_of_load("nominal_area = \"100 mm^2\"\n" + key + " = " + value + "\n");
+            };
+            const scene::Scene read = scene::read_scene(text("[" + two + ", " + one + "]"), {.name = "scene.toml"});
+            CHECK(recorded_number(read, path + "[1]", facts.unit) == number);
+            CHECK(read.points == (facts.unit == "N" ? std::vector{0.9 * number / 1e-4, number / 1e-4}
+                                                    : std::vector{0.9 * number, number}));
+            CHECK(read.at_separations == (facts.unit == "m"));
+            check_row(page, "contact.", key, facts);
+
+            CHECK(refusal_of(text(written(-1, facts.unit))).find(path) == (facts.low == 0 ? 14 : std::string::npos));
+            CHECK(refusal_of(text("\"1 kg\"")).find(path + " = \"1 kg\"") != std::string::npos);
+            if (key.size() > 5)
+                CHECK(refusal_of(scene_of_load(key.substr(0, 3) + key.substr(4) + " = " + one))
+                          .find("did you mean " + key) != std::string::npos);
+
+            const std::string list = "[" + two + ", " + one + "]", range = "{ from = " + two + ", to = " + one;
+            for (const auto& [axis, value] :
+                 {std::pair(path + "[0]", "[" + list + "]"), std::pair(path, "{ values = " + list + " }")}) {
+                const sweep::Grid grid = sweep::read_grid(text(value), "grid.toml");
+                REQUIRE(grid.axes.size() == 1);
+                CHECK(grid.axes[0].key == axis);
+                CHECK(grid.axes[0].unit == facts.unit);
+                CHECK(grid.axes[0].numbers == std::vector{0.9 * number, number});
+                check_lines(grid);
+            }
+            const scene::Range spaced =
+                *sweep::read_grid(text("[" + range + ", count = 3 }]"), "grid.toml").axes.at(0).range;
+            CHECK(spaced.log == (facts.low == 0));
+            const auto points = scene::read_scene(text(range + ", count = 3 }"), {.name = "scene.toml"}).points;
+            CHECK(points[1] == (facts.unit == "N" ? spaced.at(1) / 1e-4 : spaced.at(1)));
+        }
+    });
+    CHECK(all == std::vector<std::string>{"pressures", "pressure", "separations", "force"});
+    for (const std::string& one : all)
+        for (const std::string& other : all)
+            if (one < other)
+                CHECK(refusal_of(scene_of_load(one + " = \"1 MPa\"\n" + other + " = \"1 MPa\"\n"))
+                          .find("must not be given with contact.") != std::string::npos);
+}
+
+TEST_CASE("every number of a load is a key, a record, a refusal, a suggestion, an axis and a row of the page") {
+    const std::string page = test::read(FSTIFF_SCENES "/../docs/scene.md");
+    std::vector<std::string> all;
+    const detail::Load load;
+    each_field(load, [&](std::string_view name, const auto&, const NumberFacts& facts) {
+        const std::string key(all.emplace_back(name)), path = "contact." + key;
+        INFO(key);
+        const bool is_ball = key == "ball_radius";
+        const auto text = [&](const std::string& value, const std::string& as) {
+            return scene_of_load((is_ball ? "force = \"10 N\"\n" : "pressures = [\"10 MPa\"]\n") + as + " = " + value);
+        };
+        const double number = is_ball ? 0.01 : 2e3;
+        const std::string one = written(number, facts.unit), two = written(0.9 * number, facts.unit);
+        const scene::Scene read = scene::read_scene(text(one, key), {.name = "scene.toml"});
+        CHECK(recorded_number(read, path, facts.unit) == number);
+        CHECK((is_ball ? read.ball->radius : read.seating) == number);
+        check_row(page, "contact.", key, facts);
+        CHECK(refusal_of(text(written(-1, facts.unit), key)).find(path) != std::string::npos);
+        CHECK(refusal_of(text("\"1 kg\"", key)).find(path + " = \"1 kg\"") != std::string::npos);
+        CHECK(refusal_of(text(one, key.substr(0, 3) + key.substr(4))).find("did you mean " + key) != std::string::npos);
+
+        const sweep::Grid grid = sweep::read_grid(text("[" + two + ", " + one + "]", key), "grid.toml");
+        REQUIRE(grid.axes.size() == 1);
+        CHECK(grid.axes[0].key == path);
+        CHECK(grid.axes[0].unit == facts.unit);
+        CHECK(grid.axes[0].numbers == std::vector{0.9 * number, number});
+        if (is_ball)
+            CHECK(test::refusal([&] { sweep::SceneMaker maker(grid); }) ==
+                  "grid.toml: contact.ball_radius: is for fstiff run; a sweep has the faces alone");
+        else
+            check_lines(grid);
+    });
+    CHECK(all == std::vector<std::string>{"seating", "ball_radius"});
 }
 
 }  // namespace joint_fields_test

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The numbers of a joint as fields: each with its name, unit, range and meaning, in one list. The checks of the
-/// library, the keys of a scene, the keywords of Python, the names of C, the axes of a sweep and the tables of
-/// docs/scene.md are loops over them.
+/// The numbers of a joint and of its load as fields: each with its name, unit, range and meaning, in one list. The
+/// checks of the library, the keys of a scene, the keywords of Python, the names of C, the axes of a sweep and the
+/// tables of docs/scene.md are loops over them.
 ///
 ///     each_field(face, [](std::string_view name, auto& value, const NumberFacts& facts) { ... });
 ///
@@ -16,12 +16,14 @@
 #include <fstiff/surface/bearing_of_core.hpp>
 #include <fstiff/surface/parameter.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace fstiff { inline namespace v0_1 {
 
@@ -41,6 +43,10 @@ struct NumberFacts {
     /// Where its standard error is; null: it has none. Numbers of one error are one number in several ways.
     std::optional<double> JointFace::Errors::*error = nullptr;
 
+    /// Whether it is another name.
+    [[nodiscard]] bool has_word(std::string_view name) const {
+        return std::find(words.begin(), words.end(), name) != words.end();
+    }
     [[nodiscard]] bool holds(double value) const {
         if (row && !detail::parameter_in_range(row->parameter, value)) return false;
         return (low_too ? value >= low : value > low) && value <= high;
@@ -66,7 +72,7 @@ struct NumberFacts {
 namespace detail::fields {
 using Words = const std::string_view[];
 inline constexpr Words heights{"Rq", "Sq"}, mean_heights{"Ra", "Sa"}, areal_gradients{"Sdq"}, profile_gradients{"Rdq"},
-    spacings{"RSm"}, skewnesses{"Ssk", "Rsk"}, kurtoses{"Sku", "Rku"};
+    spacings{"RSm"}, skewnesses{"Ssk", "Rsk"}, kurtoses{"Sku", "Rku"}, pressures{"pressure"};
 /// \p T, as it is or const.
 template <class Given, class T>
 concept Of = std::is_same_v<std::remove_const_t<Given>, T>;
@@ -229,6 +235,36 @@ void each_field(J& joint, const Take& take) {
          NumberFacts{.unit = "Pa", .help = "greatest nominal pressure of any earlier load"});
     take("effective_modulus", joint.effective_modulus,
          NumberFacts{.unit = "Pa", .help = "effective modulus, in place of the elastic constants"});
+}
+
+namespace detail {
+
+/// What a joint is asked for: its points, of one kind, and the ball on the face, which has forces.
+struct Load {
+    std::vector<double> pressures{}, separations{}, forces{};  ///< the points [Pa], [m], [N]
+    double seating = 1e3;                                      ///< [Pa]
+    std::optional<double> ball_radius{};                       ///< [m]; none: flat faces
+};
+
+/// Hands over the points of \p load, a Load, of each kind: what is known of one holds for all of a list.
+template <fields::Of<Load> L, class Take>
+void each_points(L& load, const Take& take) {
+    constexpr double most = (std::numeric_limits<double>::max)();
+    take("pressures", load.pressures,
+         NumberFacts{.unit = "Pa", .help = "nominal pressures", .words = fields::pressures});
+    take("separations", load.separations,
+         NumberFacts{.unit = "m", .help = "separations of the mean planes", .low = -most, .low_too = true});
+    take("force", load.forces, NumberFacts{.unit = "N", .help = "forces on the nominal area, or on the ball"});
+}
+
+}  // namespace detail
+
+/// Hands over the numbers of \p load, a detail::Load, but its points.
+template <detail::fields::Of<detail::Load> L, class Take>
+void each_field(L& load, const Take& take) {
+    take("seating", load.seating, NumberFacts{.unit = "Pa", .help = "pressure at which the approach is 0"});
+    take("ball_radius", load.ball_radius,
+         NumberFacts{.unit = "m", .help = "radius of a ball on the face, of two balls 1/(1/R1 + 1/R2)"});
 }
 
 }}  // namespace fstiff
