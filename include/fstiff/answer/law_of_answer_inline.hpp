@@ -87,13 +87,13 @@ FSTIFF_INLINE ContactLaw<double> Answer::law_after(double greatest, double quant
 
 FSTIFF_INLINE std::vector<ContactLaw<double>> Answer::law_after(std::span<const double> greatest, double quantile,
                                                                 const LawRange<double>& range) const {
-    std::vector<ContactLaw<double>> laws;
+    std::vector<ContactLaw<double>> after;
     const bool shared = flows && !greatest_pressure;
     const ContactLaw<double> loading = shared ? loading_law(quantile, range) : ContactLaw<double>();
     for (const double pressure : greatest)
-        laws.push_back(shared ? fstiff::law_after(loading, pressure, relative_hardness.value_or(0))
-                              : law_after(pressure, quantile, range));
-    return laws;
+        after.push_back(shared ? fstiff::law_after(loading, pressure, relative_hardness.value_or(0))
+                               : law_after(pressure, quantile, range));
+    return after;
 }
 
 }}  // namespace fstiff
