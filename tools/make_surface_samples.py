@@ -12,6 +12,7 @@ import pathlib
 import struct
 import sys
 import zipfile
+import zlib
 
 ROWS, COLUMNS = 3, 4
 POINTS = [(row, column) for row in range(ROWS) for column in range(COLUMNS)]
@@ -181,11 +182,83 @@ def opdx(profile=False):
                             item("PrimaryData2D", 0x12, sized(b"Raw")), folder("2D_Channels", names)))
 
 
+def zygo():
+    """Steps of 0.5 um; heights in 2^-15 of 2 x 0.5 x 0.5 um, as those of metropro; intensities of 2 x 1."""
+    header = ["Zygo ASCII Data File - Format 2", '1 9 1 2 "Tue Aug 25 16:59:23 2026"', "0 0 2 1 1 255", f"0 0 {COLUMNS} {ROWS}",
+              '"a comment"', '"serial"', '"a plate   "', "0 0.5 5e-07 0.3 2 1 5e-07 1787677163", '640 480 5 0 0 0 "20X"',
+              "2 0 0 0 0 0 0 0.0 0 0", "1 0 7 2 100 0 0 0 0", '0 ""', "1 0", '"1X"']
+    rows = [" ".join(str(z) for z in heights(2147483640)[start:start + 10]) for start in (0, 10)]
+    return "\n".join([*header, "#", "17 4", "#", *rows, "#", ""]).encode()
+
+
+LIMITS = (10.0, 11.5, 0.0, 0.5, 0.0, 29.0)  # of x, y and z: steps of 0.5 and 0.25
+
+
+def surfer_text():
+    head = ["DSAA", f"{COLUMNS} {ROWS}", *(f"{low} {high}" for low, high in zip(LIMITS[::2], LIMITS[1::2]))]
+    values = heights("1.70141e+038")
+    rows = [" ".join(map(str, values[start:start + COLUMNS])) for start in range(0, len(values), COLUMNS)]
+    return "\r\n".join([*head, *rows, ""]).encode()
+
+
+def surfer_6():
+    return struct.pack("<4s2h6d12f", b"DSBB", COLUMNS, ROWS, *LIMITS, *heights(1.70141e38))
+
+
+def surfer_7():
+    grid = struct.pack("<2i8d", ROWS, COLUMNS, LIMITS[0], LIMITS[2], 0.5, 0.25, *LIMITS[4:], 0, 1e30)
+    sections = [(b"DSRB", struct.pack("<i", 2)), (b"GRID", grid), (b"FLTI", bytes(8)),
+                (b"DATA", struct.pack("<12d", *heights(1e30)))]
+    return b"".join(struct.pack("<4si", tag, len(content)) + content for tag, content in sections)
+
+
+def element(kind, content, order):
+    if 0 < len(content) <= 4:
+        return struct.pack(order + "I", len(content) << 16 | kind) + content.ljust(4, b"\0")
+    return struct.pack(order + "2I", kind, len(content)) + content + bytes(-len(content) % 8)
+
+
+def variable(title, rows, values, order="<", stored=(9, "d"), flags=6):
+    """A matrix of MATLAB with these values, column after column."""
+    columns = len(values) // rows
+    kind, form = stored
+    return element(14, element(6, struct.pack(order + "2I", flags, 0), order) + element(5, struct.pack(order + "2i", rows, columns), order) +
+                   element(1, title.encode(), order) + element(kind, struct.pack(f"{order}{len(values)}{form}", *values), order), order)
+
+
+def mat(*variables, order="<"):
+    text = b"MATLAB 5.0 MAT-file, a small one".ljust(124)
+    return text + struct.pack(order + "H", 256) + (b"IM" if order == "<" else b"MI") + b"".join(variables)
+
+
+BY_COLUMN = [(row, column) for column in range(COLUMNS) for row in range(4)]
+
+
+def mat_map(order="<", packed=False):
+    """Steps of 0.5 and 0.25 from x and y, with words before them; or the same in zlib streams, stored. The last row is a fourth, that
+    a map has at least, and is missing."""
+    values = [float("nan") if at == (1, 2) or at[0] == 3 else 10 * at[0] + at[1] ** 2 for at in BY_COLUMN]
+    parts = [variable("note", 1, [104, 105], order, (4, "H"), 4), variable("z", 4, values, order),
+             variable("x", 1, [10, 10.5, 11, 11.5], order), variable("y", 4, [0, 0.25, 0.5, 0.75], order)]
+    if packed:
+        parts = [struct.pack("<2I", 15, len(stream)) + stream for stream in (zlib.compress(part, 0) for part in parts)]
+    return mat(*parts, order=order)
+
+
+def mat_profile():
+    """A column of integers over positions at steps of 0.5."""
+    at = range(20)
+    return mat(variable("trace", 20, heights(points=[(0, column) for column in at]), stored=(4, "H"), flags=11),
+               variable("X", 20, [0.5 * column for column in at]))
+
+
 FILES = {"metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "opd/map.opd": opd,
          "opd/real.opd": lambda: opd(4), "al3d/map.al3d": al3d, "plu/map.plu": plu, "plux/map.plux": plux,
          "netcdf/map.nc": netcdf,
          "netcdf/profile.nc": lambda: netcdf((("x", 20, 10.0),)), "opdx/map.opdx": opdx,
-         "opdx/profile.opdx": lambda: opdx(True)}
+         "opdx/profile.opdx": lambda: opdx(True), "zygo/map.asc": zygo, "surfer/text.grd": surfer_text,
+         "surfer/six.grd": surfer_6, "surfer/seven.grd": surfer_7, "mat/map.mat": mat_map,
+         "mat/big.mat": lambda: mat_map(">"), "mat/packed.mat": lambda: mat_map(packed=True), "mat/profile.mat": mat_profile}
 
 if __name__ == "__main__":
     root = pathlib.Path(__file__).parents[1] / "tests/fuzz/corpus"

@@ -22,7 +22,7 @@
 
 #include "io/readers.hpp"
 
-#include "io/file_bytes.hpp"
+#include "io/zygo_step.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -36,10 +36,9 @@ double metropro_step(const FileBytes& file) {
     const double scale = file.positive(164, 4, "scale factor of the interferometer");
     const double wavelength = file.positive(168, 4, "wavelength");
     const double obliquity = file.positive(176, 4, "obliquity factor");
-    const std::int64_t code = file.integer(218, 2, "phase resolution");
-    if (code < 0 || code > 2) refuse_field(file.name(), "phase resolution", std::to_string(code), "0, 1 or 2");
-    const double sign = file.integer(232, 2, "sign") == 0 ? 1 : -1;
-    return sign * scale * obliquity * wavelength / (code == 0 ? 4096 : code == 1 ? 32768 : 131072);
+    const double step = zygo_step(file.name(), scale, obliquity, wavelength,
+                                  static_cast<double>(file.integer(218, 2, "phase resolution")));
+    return file.integer(232, 2, "sign") == 0 ? step : -step;
 }
 
 Record record_of(const FileBytes& file, const RawMap& map, double step, std::size_t end) {
@@ -80,7 +79,8 @@ Reading read_metropro(std::string_view bytes, const std::string& name, const Sur
     RawMap map;
     read_grid(map, file, grid, [&](std::string_view height) {
         const std::int64_t number = signed_at(height, true);
-        return number >= 2147483640 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(number) * step;
+        return static_cast<double>(number) >= zygo_missing ? std::numeric_limits<double>::quiet_NaN()
+                                                           : static_cast<double>(number) * step;
     });
     const double lateral = file.positive(184, 4, "step of x and y");
     set_spacings(map, lateral, lateral, file.name());

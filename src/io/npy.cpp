@@ -17,7 +17,7 @@
 #include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
-#include "io/header.hpp"
+#include "io/given_lengths.hpp"
 #include "io/missing_values.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
@@ -60,13 +60,15 @@ public:
         check_type();
         check_shape();
         RawMap map;
-        set_steps(map);
-        const double unit = height_unit();
+        const GivenSteps steps = given_steps_of(header_.rows, header_.columns, options_, name_);
+        const GivenUnits units = given_lengths(options_, name_, false);
         read_heights(map);
+        header_.unit = units.heights;
+        header_.size_from = steps.from;
         missing_points(map);
-        for (double& z : map.heights) z *= unit;
-        set_spacings(map, map.dx, map.dy, name_);
-        if (type_ != 'f') header_.resolution = unit;
+        for (double& z : map.heights) z *= units.vertical;
+        set_spacings(map, steps.dx, steps.dy, name_);
+        if (type_ != 'f') header_.resolution = units.vertical;
         Record record = record_of(header_, map);
         return {std::move(map), std::move(record)};
     }
@@ -177,46 +179,6 @@ private:
             refuse_file(name_, {"declares ", header_.rows, " x ", header_.columns, " numbers of ", size_,
                                 " bytes, but holds ", rest_.size(), " bytes of them; must hold all"});
         header_.trailer = rest_.size() - static_cast<std::size_t>(points) * size_;
-    }
-
-    void set_steps(RawMap& map) {
-        const bool of_sides = options_.dx || options_.dy || options_.width || options_.height;
-        if (of_sides && (options_.spacing || header_.rows == 1))
-            refuse_file(name_, {header_.rows == 1 ? "holds a profile; must be given spacing, and not"
-                                                  : "is given spacing; must not be given with",
-                                " dx, dy, width or height"});
-        if (options_.spacing || header_.rows == 1) {
-            if (!options_.spacing)
-                refuse_file(name_, {"states no steps and none are given; must be ",
-                                    given_as(options_.names, "spacing", "\"0.5 um\"")});
-            map.dx = map.dy = step("spacing", options_.spacing, "", std::nullopt, 1);
-        } else {
-            map.dx = step("dx", options_.dx, "width", options_.width, header_.columns);
-            map.dy = step("dy", options_.dy, "height", options_.height, header_.rows);
-        }
-    }
-
-    double step(const char* each, const std::optional<double>& given, const char* whole,
-                const std::optional<double>& given_whole, std::size_t points) {
-        if (given && given_whole) refuse_file(name_, {each, " and ", whole, " are both given; must be one of them"});
-        if (!given && !given_whole)
-            refuse_file(name_, {"states no steps; must be ", given_steps(options_.names),
-                                " (between points), or width and height (of the map)"});
-        const char* const what = given ? each : whole;
-        fstiff::detail::located({.file = name_},
-                                [&] { fstiff::detail::require_positive(what, given ? *given : *given_whole); });
-        header_.size_from += std::string(header_.size_from.empty() ? "" : ", ") + what + " of the options";
-        return given ? *given : *given_whole / static_cast<double>(points);
-    }
-
-    double height_unit() {
-        const auto given = given_units(options_.units, 3, name_, "one unit, or \"um,nm\" (x and y, heights)");
-        if (given.empty())
-            refuse_file(name_,
-                        {"states no unit of the heights and none is given; must be ",
-                         given_as(options_.names, "units", "\"um\""), ", one of ", accepted_units(Dimension::length)});
-        header_.unit = std::string(given.back());
-        return unit_factor(given.back(), Dimension::length);
     }
 
     double number(std::size_t index) const {

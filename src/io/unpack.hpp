@@ -22,6 +22,10 @@ using Unzip = std::function<std::string(std::string_view archive, std::string_vi
 /// Compiled where zlib is.
 [[nodiscard]] bool inflate_zlib(std::string_view stream, std::span<char> out);
 
+/// Fills \p out with the first bytes that the zlib stream \p stream holds. \return how many there are, 0 where it is
+/// damaged. Compiled where zlib is.
+[[nodiscard]] std::size_t inflate_first(std::string_view stream, std::span<char> out);
+
 /// Reads a file of Digital Surf. Without \p inflate, compressed files are refused.
 /// \throws domain_error naming file, field, value and what is allowed.
 [[nodiscard]] Reading read_sur(std::string_view bytes, const std::string& name, const Inflate& inflate = {});

@@ -78,7 +78,9 @@ std::string form_warning(const Surface<double>& parameters, const SurfaceOptions
 
 /// \p warning of a unit that is likely wrong, with the option that replaces it; empty for an empty one.
 std::string with_units(const std::string& warning, const SurfaceOptions& options) {
-    return warning.empty() ? "" : warning + "; " + options.name("units") + " replaces that of a text, .npy or X3P";
+    return warning.empty()
+               ? ""
+               : warning + "; " + options.name("units") + " replaces that of a text, .npy, .mat, X3P or Surfer file";
 }
 
 /// A sentence on lengths that no rough surface has, where its sigma is \p rms_height and its points are \p step apart;

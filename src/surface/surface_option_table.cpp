@@ -42,10 +42,10 @@ constexpr SurfaceOptionRow rows[] = {
     {"format", file, &Of::format, always,
      "form of the file: auto (default)", {.flag = "input-format", .json = "input_format", .more_help = forms}},
     {"units", file, &Of::units, always,
-     "units of lengths and heights in a text, .npy or X3P file, such as um,nm, or one for both; they replace "
+     "units of lengths and heights in a text, .npy, .mat, X3P or Surfer file, such as um,nm, or one for both; they replace "
      "those of the file"},
     {"spacing", step, &Of::spacing, always,
-     "distance between neighbouring points of a profile or of a .npy map, such as \"0.5 um\"; replaces that of the file"},
+     "distance between neighbouring points of a profile or of a .npy or .mat map, such as \"0.5 um\"; replaces that of the file"},
     {"column", file_of_profile, &Of::column, always,
      "column of the heights of a profile, counted from 1; default the last of one or two",
      {.low = 1, .high = most_columns}},
@@ -53,12 +53,12 @@ constexpr SurfaceOptionRow rows[] = {
      "column of the positions of a profile, counted from 1; default the first that does not number the points",
      {.low = 1, .high = most_columns}},
     {"dx", step_of_map, &Of::dx, always,
-     "distance between neighbouring columns of a matrix or .npy file; replaces that of the file"},
-    {"dy", step_of_map, &Of::dy, always, "distance between neighbouring rows of a matrix or .npy file"},
+     "distance between neighbouring columns of a matrix, .npy or .mat file; replaces that of the file"},
+    {"dy", step_of_map, &Of::dy, always, "distance between neighbouring rows of a matrix, .npy or .mat file"},
     {"width", file_of_map, &Of::width, always,
-     "width of a matrix or .npy file (number of columns times dx), instead of --dx"},
+     "width of a matrix, .npy or .mat file (number of columns times dx), instead of --dx"},
     {"height", file_of_map, &Of::height, always,
-     "height of a matrix or .npy file (number of rows times dy), instead of --dy"},
+     "height of a matrix, .npy or .mat file (number of rows times dy), instead of --dy"},
     {"detrend", form, &Of::detrend, always,
      "form, as a drawing defines it, removed before anything is computed; for a profile none, mean, line "
      "(default), parabola, circle or gaussian; for a map none, mean, plane (default), quadratic, cubic, sphere or cylinder",
@@ -84,7 +84,7 @@ constexpr SurfaceOptionRow rows[] = {
     {"window", estimate, &Of::window, always,
      "shortest and longest lag that give D, such as \"1 um,100 um\"; the default is chosen automatically"},
     {"missing", file, &Of::missing, if_not_default,
-     "number or word that marks missing points in a text or .npy file, such as -9999; none: every number is a "
+     "number or word that marks missing points in a text, .npy, .mat or Surfer file, such as -9999; none: every number is a "
      "height",
      {.form = request::Form::or_number}},
     {"thousands", file, &Of::thousands, if_not_default,
@@ -122,8 +122,8 @@ constexpr SurfaceOptionRow rows[] = {
     {"fill", cleaning, &Of::fill, if_not_default,
      "fill missing points: by straight lines in a profile, by Laplace's equation in a map"},
     {"channel", file, &Of::channel, if_not_default,
-     "for Gwyddion files (.gwy) and text with several tables: number or title of the channel; the default is the "
-     "lowest number whose values are lengths, of text the only one"},
+     "for Gwyddion files (.gwy), text with several tables and MATLAB files: number or title of the channel, number or "
+     "name of the variable; the default is the lowest number whose values are lengths, else the only one"},
 };
 // clang-format on
 

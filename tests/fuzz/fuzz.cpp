@@ -85,6 +85,11 @@ std::vector<SurfaceOptions> options_of(SurfaceFormat format) {
         case SurfaceFormat::gwy: return {{}, {.channel = "1"}, {.channel = "Height"}};
         case SurfaceFormat::npy:
             return {{.units = "nm", .dx = 1e-6, .dy = 2e-6}, {.units = "nm", .spacing = 1e-6, .missing = "-9999"}};
+        case SurfaceFormat::surfer: return {{}, {.units = "um,nm"}, {.units = "um", .missing = "0"}};
+        case SurfaceFormat::mat:
+            return {{.units = "um"},
+                    {.units = "um,nm", .dx = 1e-6, .height = 1e-3, .channel = "2"},
+                    {.units = "nm", .spacing = 1e-6, .channel = "1"}};
         default: return {{.x3p_limits = {.bytes = 1 << 24}}};
     }
 }

@@ -30,6 +30,10 @@ constexpr Sample samples[] = {
     {SurfaceFormat::gsf, "gsf/profile.gsf"},
     {SurfaceFormat::gwy, "gwy/map.gwy"},
     {SurfaceFormat::gwy, "gwy/profile.gwy"},
+    {SurfaceFormat::mat, "mat/big.mat"},
+    {SurfaceFormat::mat, "mat/map.mat"},
+    {SurfaceFormat::mat, "mat/packed.mat"},
+    {SurfaceFormat::mat, "mat/profile.mat", 0, 0.5e-6, 0.5e-6, 1e-6, 0},
     {SurfaceFormat::metropro, "metropro/map.dat", 0, nominal, nominal, 2.0 * 0.5 / 32768 * nominal},
     {SurfaceFormat::netcdf, "netcdf/map.nc", 0, 0.5e-6, 0.25e-6, 1e-6},
     {SurfaceFormat::netcdf, "netcdf/profile.nc", 80, 0.5e-6, 0.5e-6, 1e-6, 0},  // the positions are not read
@@ -49,10 +53,14 @@ constexpr Sample samples[] = {
     {SurfaceFormat::sur, "sur/comment.sur"},
     {SurfaceFormat::sur, "sur/compressed-32-three-streams.sur"},
     {SurfaceFormat::sur, "sur/profile.pro"},
+    {SurfaceFormat::surfer, "surfer/seven.grd", 0, 0.5e-6, 0.25e-6, 1e-6},
+    {SurfaceFormat::surfer, "surfer/six.grd", 0, 0.5e-6, 0.25e-6, 1e-6},
+    {SurfaceFormat::surfer, "surfer/text.grd", 3, 0.5e-6, 0.25e-6, 1e-6},  // a line end, and a digit of the last number
     {SurfaceFormat::vk4, "vk4/map.vk4", 0, 0.5e-6, 0.25e-6, 1e-10, 0},
     {SurfaceFormat::vk4, "vk4/map.vk6", 0, 0.5e-6, 0.25e-6, 1e-10, 0},
     {SurfaceFormat::x3p, "x3p/mask.x3p"},
     {SurfaceFormat::x3p, "x3p/stored.x3p"},
+    {SurfaceFormat::zygo, "zygo/map.asc", 1, 0.5e-6, 0.5e-6, 2.0 * 0.5 / 32768 * 0.5e-6},  // a line end
 };
 
 /// Whether this build reads \p sample.
@@ -60,7 +68,8 @@ bool is_read(const Sample& sample) {
     const std::string_view file = sample.file;
     const bool needs_x3p = sample.format == SurfaceFormat::x3p || sample.format == SurfaceFormat::plux,
                is_read = ((!needs_x3p && !file.ends_with(".vk6")) || io::reads_x3p()) &&
-                         (file.find("compressed") > file.size() || io::reads_compressed_sur());
+                         ((file.find("compressed") > file.size() && file.find("packed") > file.size()) ||
+                          io::reads_compressed_sur());
     if (!is_read) test::leave_out("built without its library: " + std::string(file));
     return is_read;
 }
@@ -68,6 +77,7 @@ bool is_read(const Sample& sample) {
 /// The reader of \p format, with the options that its files need.
 test::FormReader reader(SurfaceFormat format) {
     if (format == SurfaceFormat::npy) return {format, {.units = "nm", .dx = 1e-6, .dy = 2e-6}};
+    if (format == SurfaceFormat::mat || format == SurfaceFormat::surfer) return {format, {.units = "um"}};
     return {format};
 }
 

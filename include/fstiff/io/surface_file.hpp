@@ -3,11 +3,11 @@
 /// \file
 /// Reader of measured files: a profile or a map, the recognised form and all decisions. Compiled: link fstiff::io.
 ///
-/// First bytes identify surface data files (SDF), X3P, NumPy, Gwyddion, Digital Surf, profiles of ISO 5436-2, and maps
-/// of Zygo, Keyence, Wyko, Alicona and Sensofar; the columns of the first row identify text: 1 or 2 a profile, 3
-/// triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix unless titles or SurfaceOptions::column
-/// name columns of a profile. An ambiguous file is refused with the option `format` that decides. Rules of text and of
-/// each form: docs/formats.md.
+/// First bytes identify surface data files (SDF), X3P, NumPy, MATLAB, Gwyddion, Digital Surf, Surfer, profiles of ISO
+/// 5436-2, and maps of Zygo, Keyence, Wyko, Alicona and Sensofar; the columns of the first row identify text: 1 or 2 a
+/// profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix unless titles or
+/// SurfaceOptions::column name columns of a profile. An ambiguous file is refused with the option `format` that
+/// decides. Rules of text and of each form: docs/formats.md.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are those of the file
 /// Valid       profiles of at least 16 points, maps of at least 2 points a side, heights that vary; files up to 2^31
@@ -51,7 +51,10 @@ enum class SurfaceFormat {
     plu,
     plux,
     netcdf,
-    opdx
+    opdx,
+    zygo,
+    surfer,
+    mat
 };
 
 /// Use of the z increment for X3P heights in floating point: ISO 25178-72 multiplies by it, but some programs write an
@@ -73,7 +76,8 @@ inline constexpr auto enum_names<io::SurfaceFormat> = fstiff::detail::name_list<
     {io::SurfaceFormat::vk4, "vk4"},         {io::SurfaceFormat::opd, "opd"},
     {io::SurfaceFormat::al3d, "al3d"},       {io::SurfaceFormat::plu, "plu"},
     {io::SurfaceFormat::plux, "plux"},       {io::SurfaceFormat::netcdf, "netcdf"},
-    {io::SurfaceFormat::opdx, "opdx"},
+    {io::SurfaceFormat::opdx, "opdx"},       {io::SurfaceFormat::zygo, "zygo"},
+    {io::SurfaceFormat::surfer, "surfer"},   {io::SurfaceFormat::mat, "mat"},
 });
 template <>
 inline constexpr auto enum_names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
@@ -107,18 +111,19 @@ struct X3pLimits {
 /// Options of the readers; only those that apply to the form may be given.
 struct SurfaceOptions {
     SurfaceFormat format = SurfaceFormat::automatic;
-    std::string units{};               ///< of text, npy: "um,nm" (lengths, heights), "um" (both); replaces the header's
-    std::optional<double> spacing{};   ///< of a profile, of npy of a map too [m]; replaces the positions of the file
-    std::size_t column = 0;            ///< of a profile, with the heights, counted from 1; 0: the last of one or two
-    std::size_t x_column = 0;          ///< of a profile, with the positions, counted from 1; 0: the first that may be
-    std::optional<double> dx{}, dy{};  ///< of a matrix and npy, between points [m]
-    std::optional<double> width{}, height{};  ///< of a matrix and npy, columns dx and rows dy [m]
-    std::string missing{};  ///< of text and npy, denotes missing points: "-9999", "void", both with a comma, or "none"
+    std::string units{};  ///< of text, npy, mat, surfer: "um,nm" (lengths, heights), "um" (both); replaces the header's
+    std::optional<double>
+        spacing{};             ///< of a profile, of npy, mat of a map too [m]; replaces the positions of the file
+    std::size_t column = 0;    ///< of a profile, with the heights, counted from 1; 0: the last of one or two
+    std::size_t x_column = 0;  ///< of a profile, with the positions, counted from 1; 0: the first that may be
+    std::optional<double> dx{}, dy{};         ///< of a matrix, npy, mat, between points [m]
+    std::optional<double> width{}, height{};  ///< of a matrix, npy, mat: columns dx and rows dy [m]
+    std::string missing{};  ///< of text, npy, mat, surfer: marks missing points: "-9999", "void", both, or "none"
     std::string thousands{};  ///< of text, separator of thousands: "," "." "'" or " "; "none": commas are decimal
     bool resample = false;    ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with floating-point heights
     X3pLimits x3p_limits{};
-    std::string channel{};  ///< of gwy and text: number or title; empty: the lowest in lengths, of text the only one
+    std::string channel{};  ///< of gwy, text, mat: number or title; empty: the lowest in lengths or only one
     OptionNames names{};    ///< for messages
 };
 
