@@ -30,7 +30,10 @@ constexpr std::string_view from_python =
     "with "
     "a few lines of Python";
 constexpr std::string_view unpack = "unpack it first";
+constexpr std::string_view as_csv = "export its table as CSV";
+constexpr std::string_view points = "export its points as a text of x, y and z";
 constexpr std::string_view sample = "make an array of its heights by the lines with trimesh in docs/formats.md";
+constexpr std::string_view json = "write its numbers as CSV, or give them to fstiff.measure in Python";
 constexpr std::string_view from_the_program = "export the heights from the program that wrote it";
 
 constexpr std::array known_binaries{
@@ -39,10 +42,15 @@ constexpr std::array known_binaries{
     KnownBinary{"GIF8", "a GIF picture", no_heights},
     KnownBinary{"P5\n", "a PGM picture", no_heights},
     KnownBinary{"P6\n", "a PPM picture", no_heights},
-    KnownBinary{std::string_view("II*\0", 4), "a TIFF picture or a file of JPK (.tif, .jpk)", from_the_instrument},
-    KnownBinary{std::string_view("MM\0*", 4), "a TIFF picture or a file of JPK (.tif, .jpk)", from_the_instrument},
+    KnownBinary{std::string_view("II*\0", 4), "a TIFF picture or a file of JPK or Olympus (.tif, .jpk, .lext)",
+                from_the_instrument},
+    KnownBinary{std::string_view("MM\0*", 4), "a TIFF picture or a file of JPK or Olympus (.tif, .jpk, .lext)",
+                from_the_instrument},
+    KnownBinary{std::string_view("II+\0", 4), "a BigTIFF picture", no_heights},
+    KnownBinary{"RIFF", "a picture, sound or film (RIFF)", no_heights},
+    KnownBinary{"%!PS", "a PostScript picture", no_heights},
     KnownBinary{"%PDF-", "a PDF document", no_heights},
-    KnownBinary{"\x89HDF\r\n", "an HDF5 file", from_python},
+    KnownBinary{"\x89HDF\r\n", "an HDF5 file, such as a .datx of Zygo", from_python},
     KnownBinary{"MATLAB 7.3", "a MATLAB file of version 7.3 (.mat), which is HDF5",
                 "save it in MATLAB by save(..., '-v7')"},
     KnownBinary{"GWYO", "a file of Gwyddion 1 (.gwy)", from_gwyddion},
@@ -56,6 +64,29 @@ constexpr std::array known_binaries{
                 from_the_instrument},
     KnownBinary{"WSxM file copyright", "a file of WSxM (.top, .stp, .tom)", from_the_instrument},
     KnownBinary{":NANONIS_VERSION:", "a Nanonis file (.sxm)", from_the_instrument},
+    KnownBinary{"KPK0", "a file of Keyence VR (.zon)", from_the_instrument},
+    KnownBinary{"KPK1", "a file of Keyence VR (.zon)", from_the_instrument},
+    KnownBinary{"OmniSurf3D", "a file of OmniSurf3D (.os3d)", from_the_instrument},
+    KnownBinary{"Zeta-Instruments", "a file of Zeta (.zmg)", from_the_instrument},
+    KnownBinary{"\x01\xB0\x93\xFF", "a file of NT-MDT (.mdt)", from_the_instrument},
+    KnownBinary{"OLYMPUSRAWFORMAT", "a file of an Olympus microscope (.oir)", from_the_instrument},
+    KnownBinary{"ZISRAWFILE", "a file of a Zeiss microscope (.czi)", from_the_program},
+    KnownBinary{"WIT_PR", "a project of WITec (.wip)", from_the_program},
+    KnownBinary{"LASF", "a cloud of points (.las, .laz)", points},
+    KnownBinary{"ASTM-E57", "a cloud of points (.e57)", points},
+    KnownBinary{"# .PCD", "a cloud of points (.pcd)", points},
+    KnownBinary{"# vtk DataFile", "a file of VTK (.vtk)", points},
+    KnownBinary{"glTF", "a mesh (.glb)", sample},
+    KnownBinary{"Kaydara FBX", "a mesh (.fbx)", sample},
+    KnownBinary{"TDSm", "a file of LabVIEW (.tdms)", as_csv},
+    KnownBinary{"CPYA", "a project of Origin (.opj)", as_csv},
+    KnownBinary{"CPYUA", "a project of Origin (.opju)", as_csv},
+    KnownBinary{"PAR1", "a table of Parquet", as_csv},
+    KnownBinary{"ARROW1", "a table of Arrow (.feather)", as_csv},
+    KnownBinary{"SIMPLE  =", "a FITS image", from_python},
+    KnownBinary{"\x80\x04\x95", "a pickle of Python", from_python},
+    KnownBinary{"\x80\x05\x95", "a pickle of Python", from_python},
+    KnownBinary{"\x28\xB5\x2F\xFD", "a file packed by zstd", unpack},
     KnownBinary{"\x1F\x8B", "a file packed by gzip", unpack},
     KnownBinary{"BZh", "a file packed by bzip2", unpack},
     KnownBinary{"\xFD"
@@ -67,8 +98,9 @@ constexpr std::array known_binaries{
                 "unpack it first; of an Excel workbook (.xlsx), save the sheet as CSV, or read it by python -m fstiff "
                 "run --surface "
                 "FILE, of the Python package with fstiff[readers]"},
-    KnownBinary{"\xD0\xCF\x11\xE0", "an old Office document (.xls) or a file of its container",
-                "save the sheet as CSV, or export it from the program that wrote it"},
+    KnownBinary{"\xD0\xCF\x11\xE0", "an old Office document (.xls) or another file of its container, such as a .mnt",
+                "save the sheet as CSV, or read a .mnt by python -m fstiff run --surface FILE, of the Python package "
+                "with fstiff[readers]"},
     KnownBinary{"SQLite format 3", "a database", no_heights},
     KnownBinary{"\x7F"
                 "ELF",
@@ -86,6 +118,11 @@ constexpr std::array known_texts{
     KnownBinary{"v ", "a mesh of polygons (.obj)", sample},
     KnownBinary{"o ", "a mesh of polygons (.obj)", sample},
     KnownBinary{"g ", "a mesh of polygons (.obj)", sample},
+    KnownBinary{"ISO-10303-21", "a part of CAD (.stp)", no_heights},
+    KnownBinary{"{", "a text of JSON", json},
+    KnownBinary{"[", "a text of JSON", json},
+    KnownBinary{"<svg", "an SVG picture", no_heights},
+    KnownBinary{"<VTKFile", "a file of VTK (.vtu, .vti)", points},
     KnownBinary{"<?xml", "a text of XML", from_the_program},
     KnownBinary{"<!DOCTYPE html", "a page of HTML", from_the_program},
     KnownBinary{"<html", "a page of HTML", from_the_program},
@@ -93,7 +130,7 @@ constexpr std::array known_texts{
 
 /// Whether texts begin with \p magic too, as those that a microscope exports.
 bool is_text_beside(std::string_view magic) {
-    return magic[0] == '\\' || magic[0] == '[' || magic[0] == ':' || magic.starts_with("file") ||
+    return magic[0] == '\\' || magic[0] == '[' || magic[0] == '#' || magic[0] == ':' || magic.starts_with("file") ||
            magic.starts_with("WSxM");
 }
 
@@ -101,6 +138,12 @@ bool is_text_beside(std::string_view magic) {
 bool is_whole(std::string_view magic, std::string_view rest) {
     const std::string_view behind = rest.substr(magic.size());
     if (magic == "v ") return leading_number(trimmed(behind)).status == NumberStatus::ok;
+    if (magic == "{" || magic == "[") {  // R prints [1] before its numbers
+        const std::string_view inner = trimmed(behind);
+        const LeadingNumber number = leading_number(inner);
+        return inner.starts_with('"') || inner.starts_with('{') || inner.starts_with('[') ||
+               (number.status == NumberStatus::ok && trimmed(inner.substr(number.length)).starts_with(','));
+    }
     if (magic[0] == 'P' || magic == "ply") return behind.empty() || is_blank(behind[0]);
     const std::string_view lines = rest.substr(0, 4096);
     if (magic == "solid") return lines.find("facet") < lines.size();
@@ -139,6 +182,9 @@ KnownBinary known_by_content(std::string_view bytes) {
         double_at(bytes.substr(1376)) < 10 && double_at(bytes.substr(1384)) > 1e-9 &&
         double_at(bytes.substr(1384)) < 10)
         return {{}, "a file of Nanofocus (.nms)", from_the_instrument};
+    // Leica: the length of a part, a star, and the length of its text in UTF-16
+    if (number_at(bytes, 0, 4) == 0x70 && bytes.size() > 13 && bytes[8] == '*' && bytes[13] == '<')
+        return {{}, "a file of a Leica microscope (.lif)", from_the_program};
     return {};
 }
 

@@ -23,8 +23,10 @@ namespace {
 [[noreturn]] FSTIFF_COLD void refuse_binary(const std::string& name, std::string_view bytes) {
     const std::string known = known_binary_refusal(bytes);
     if (!known.empty()) refuse_file(name, {known});
-    refuse_file(name, {"is binary, or UTF-16 without its byte order mark (it holds NUL bytes); must be ",
-                       readable_forms(), "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page"});
+    refuse_file(name,
+                {"is binary, or UTF-16 without its byte order mark (it holds NUL bytes); must be ", readable_forms(),
+                 "; text in UTF-8, UTF-16 with a byte order mark, or an 8-bit code page: export the heights from "
+                 "the program that wrote it"});
 }
 
 constexpr std::size_t longest_line = std::size_t(1) << 20;

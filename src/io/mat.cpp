@@ -2,11 +2,11 @@
 /// \file
 /// Reads heights of a MATLAB file of level 5 (.mat; io/mat_file.hpp).
 ///
-/// The heights are the only variable of real numbers in two dimensions, the only one next to x and y, or z next to x;
-/// of several the options choose. A vector is a profile, a matrix a map of at least 4 a side, whose first index counts the
-/// rows. x and y of these names are its positions: one for each column and row, or one for each height in any order.
-/// They are equally spaced, to within a hundredth of a step, and rise in the map; points without a height are missing.
-/// The file states no units, and without x no steps: they are given.
+/// The heights are the only variable of real numbers in two dimensions, the only one next to x and y, or z next to x.
+/// Of several the options choose. A vector is a profile, a matrix a map of at least 4 a side, whose first index counts
+/// the rows. x and y of these names are its positions: one for each column and row, or one for each height in any
+/// order. They are equally spaced, to within a hundredth of a step, and rise in the map; points without a height are
+/// missing. The file states no units, and without x no steps: they are given.
 ///
 /// Units       map in m; SurfaceOptions::units are the file's
 /// Valid       2 points a side at least, or one row; heights that vary

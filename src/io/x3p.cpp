@@ -164,6 +164,18 @@ private:
         if (any([](const std::string& entry) { return entry.starts_with("xl/"); })) {
             what = "an Excel workbook (.xlsx)";
             way = "; save the sheet as CSV";
+        } else if (any([](const std::string& entry) { return entry == "content.xml"; })) {
+            what = "an OpenDocument file (.ods)";
+            way = "; save the sheet as CSV";
+        } else if (any([](const std::string& entry) { return entry.starts_with("word/"); })) {
+            what = "a document of Word (.docx)";
+            way = "; write its numbers as text";
+        } else if (any([](const std::string& entry) { return entry.ends_with(".oir"); })) {
+            what = "an archive of an Olympus microscope (.poir)";
+            way = "; export the heights from the program of the instrument, or unpack it and read the .oir by Python";
+        } else if (any([](const std::string& entry) { return entry.ends_with(".model"); })) {
+            what = "a mesh (.3mf)";
+            way = "; export its points as text";
         } else if (any([](const std::string& entry) { return entry.find("LAYER_0") != std::string::npos; })) {
             what = "a Sensofar file (.plux)";
             way = "; export it from the program of the instrument";

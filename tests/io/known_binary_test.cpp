@@ -50,14 +50,46 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
                                                           {"v 1 2 3\nv 1 2 4\nf 1 2 3\n", ".obj"},
                                                           {"solid plate\nfacet normal 0 0 1\n", ".stl"},
                                                           {stl, ".stl"},
+                                                          {"KPK1\0"s, ".zon"},
+                                                          {"OmniSurf3D\0"s, ".os3d"},
+                                                          {"Zeta-Instruments\0"s, ".zmg"},
+                                                          {"\x01\xB0\x93\xFF\0"s, ".mdt"},
+                                                          {"OLYMPUSRAWFORMAT\0"s, ".oir"},
+                                                          {"ZISRAWFILE\0"s, ".czi"},
+                                                          {"WIT_PR06\0"s, ".wip"},
+                                                          {"\x70\0\0\0\x64\0\0\0*\x10\0\0\0<\0L\0"s, ".lif"},
+                                                          {"LASF\0"s, ".las"},
+                                                          {"ASTM-E57\1\0"s, ".e57"},
+                                                          {"# .PCD v0.7\nDATA binary\n\0"s, ".pcd"},
+                                                          {"TDSm\x0E\0"s, ".tdms"},
+                                                          {"CPYA 4.3318\0"s, ".opj"},
+                                                          {"PAR1\x15\0"s, "Parquet"},
+                                                          {"SIMPLE  =    T\n", "FITS"},
+                                                          {"\x80\x04\x95\0"s, "pickle"},
+                                                          {"MATLAB 7.3 MAT-file\0"s, "save(..., '-v7')"},
+                                                          {"\x89HDF\r\n\x1A\n\0"s, ".datx"},
+                                                          {"ISO-10303-21;\nHEADER;\n", ".stp"},
+                                                          {"<svg width='1' height='2'>", "SVG"},
+                                                          {"{\"x\": [1, 2], \"z\": [3, 4]}", "JSON"},
+                                                          {"[[0, 1.5], [1, 2.5]]", "JSON"},
+                                                          {"[ 1.5, 2.5]\n", "JSON"},
                                                           {"ply\nformat ascii 1.0\n", ".ply"}};
     for (const auto& [bytes, name] : others) {
         INFO(name);
         CHECK(test::contains(refusal(bytes), name));
         CHECK(test::contains(refusal(bytes), "which is not read; must be text"));
-        for (const std::string_view of_instrument : {".tmd", ".mi", ".nid", ".frt", ".bcrf", ".stp", ".ibw"})
+        const std::string_view of_instruments[] = {".tmd", ".mi",  ".frt", ".bcrf", ".ibw",
+                                                   ".zon", ".zmg", ".mdt", ".oir",  ".os3d"};
+        for (const std::string_view of_instrument : of_instruments)
             if (name == of_instrument) CHECK(test::contains(refusal(bytes), "python -m fstiff run --surface FILE"));
     }
+}
+
+TEST_CASE("Text that begins as another form is read all the same") {
+    std::string text = "[1] 0.5\n";  // as R prints
+    for (int i = 0; i < 40; ++i) text += std::to_string(i * i % 7) + "\n";
+    CHECK_FALSE(test::contains(refusal(text), "JSON"));
+    CHECK(test::contains(refusal(std::string(300, '\1') + '\0'), "export the heights from the program that wrote it"));
 }
 
 TEST_CASE("Endless input is refused at its first block") {

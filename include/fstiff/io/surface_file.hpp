@@ -118,7 +118,7 @@ struct SurfaceOptions {
     std::size_t x_column = 0;  ///< of a profile, with the positions, counted from 1; 0: the first that may be
     std::optional<double> dx{}, dy{};         ///< of a matrix, npy, mat, between points [m]
     std::optional<double> width{}, height{};  ///< of a matrix, npy, mat: columns dx and rows dy [m]
-    std::string missing{};  ///< of text, npy, mat, surfer: marks missing points: "-9999", "void", both, or "none"
+    std::string missing{};    ///< of text, npy, mat, surfer: marks missing points: "-9999", "void", both, or "none"
     std::string thousands{};  ///< of text, separator of thousands: "," "." "'" or " "; "none": commas are decimal
     bool resample = false;    ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with floating-point heights
