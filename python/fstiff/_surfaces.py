@@ -235,18 +235,22 @@ def surface_of(arrays: tuple[Numbers, float, float], name: str) -> Surface:
 
 
 def _by_surface_topography(path: str, channel: str | int | None) -> Any:
-    """The topography of `path`, or None where SurfaceTopography does not know it."""
+    """The topography of `path`, or None where SurfaceTopography does not know it. Of several channels of heights one must be chosen."""
     from SurfaceTopography.IO import open_topography
 
     try:
         reader = open_topography(path)
-        if channel is None:
-            return reader.topography()
-        if isinstance(channel, int):
+        of_heights = [(one.index, one.name) for one in getattr(reader, "height_channels", ())]
+        if isinstance(channel, str):
+            channel = [one.name for one in reader.channels].index(channel)
+        if channel is None and len(of_heights) < 2:
+            return reader.topography(channel_index=of_heights[0][0]) if of_heights else reader.topography()
+        if channel is not None:
             return reader.topography(channel_index=channel)
-        return reader.topography(channel_index=[one.name for one in reader.channels].index(channel))
     except Exception:  # its readers raise whatever they met in the file; that of fstiff is clearer
         return None
+    names = ", ".join(f'{index} "{name}"' for index, name in of_heights)
+    raise ValueError(f"{path}: has {len(of_heights)} channels of heights: {names}; must be one of them, as open_surface(file, channel=0)")
 
 
 def is_of_form(refused: ValueError) -> bool:

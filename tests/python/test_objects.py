@@ -227,7 +227,7 @@ def test_without_surface_topography_the_extra_is_named(tmp_path):
     (tmp_path / "map.h5").write_bytes(HDF5)
     (tmp_path / "map.txt").write_text("1 2 3 4\n1 2 3\n" * 9)
     done = run("--surface", "map.h5", cwd=tmp_path, without=["SurfaceTopography"])
-    assert done.returncode == 3 and "an HDF5 file, which is not read" in done.stderr and done.stderr.count("\n") == 1
+    assert done.returncode == 3 and "is binary: an HDF5 file" in done.stderr and done.stderr.count("\n") == 1
     assert done.stderr.endswith("; SurfaceTopography may read it: pip install 'fstiff[readers]'\n")
     done = run("--surface", "map.txt", cwd=tmp_path, without=["SurfaceTopography"])  # of a form that is read
     assert done.returncode == 3 and "has 3 columns; must be 4" in done.stderr and "SurfaceTopography" not in done.stderr
@@ -277,3 +277,50 @@ def test_a_file_that_only_surface_topography_reads_has_the_numbers_of_its_map(ro
         fstiff.measure(tmp_path / "map.bcrf", units="um")
     done = run("--surface", "map.bcrf", cwd=tmp_path)
     assert str(fstiff.run(surface=surface).answer) in done.stdout and done.returncode in (0, 4), done.stderr
+
+
+def datx(path, heights, step):
+    """A map [m] as Zygo's .datx has it; NaN is missing."""
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(path, "w") as file:
+        root = [("Root", "Measurement", "{1}"), ("{1}", "Surface", "{2}"), ("{2}", "Path", "/Data/Surface")]
+        file["MetaData"] = np.array([tuple(word.encode() for word in row) for row in root], dtype=[(name, "S20") for name in "abc"])
+        data = file.create_dataset("Data/Surface", data=np.where(np.isnan(heights), 1e30, heights * 1e9))
+        converter = np.dtype([("Category", "S20"), ("BaseUnit", "S20"), ("Parameters", "<f8", (4,))])
+        data.attrs["No Data"], data.attrs["Unit"] = np.array([1e30]), np.array([b"NanoMeters"])
+        for axis in "XY":
+            data.attrs[f"{axis} Converter"] = np.array([(b"LateralCat", b"Pixels", (0, step, 0, 0))], dtype=converter)
+        data.attrs["Z Converter"] = np.array([(b"HeightCat", b"NanoMeters", (0, 1, 0, 0))], dtype=converter)
+
+
+def test_a_datx_of_zygo_has_its_heights_in_metres(rough_map, tmp_path):
+    pytest.importorskip("SurfaceTopography")
+    heights = rough_map.copy()
+    heights[3, 5] = np.nan
+    datx(tmp_path / "map.datx", heights, 1e-6)
+    surface = fstiff.open_surface(tmp_path / "map.datx")
+    np.testing.assert_allclose(surface.heights, heights, rtol=1e-12)
+    assert surface.spacing == pytest.approx((1e-6, 1e-6)) and np.isnan(surface.heights[3, 5])
+    of_file, of_array = fstiff.measure(tmp_path / "map.datx", fill=True), fstiff.measure(heights, spacing=1e-6, fill=True)
+    assert of_file.rms_height.value == pytest.approx(of_array.rms_height.value, rel=1e-12)
+
+
+def test_of_several_channels_of_heights_one_must_be_chosen(monkeypatch, rough_map, tmp_path):
+    channels = [types.SimpleNamespace(index=index, name=name) for index, name in enumerate(("Phase", "Height", "Height (back)"))]
+
+    def read(channel_index=0):
+        return topography(rough_map.T * (1, 2, 3)[channel_index], (96e-6, 96e-6), "m")
+
+    module = types.ModuleType("SurfaceTopography.IO")
+    module.open_topography = lambda path: types.SimpleNamespace(topography=read, channels=channels, height_channels=channels[first:])
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", types.ModuleType("SurfaceTopography"))
+    monkeypatch.setitem(sys.modules, "SurfaceTopography.IO", module)
+    file = tmp_path / "map.h5"
+    file.write_bytes(HDF5)
+    first = 1
+    with pytest.raises(ValueError, match=r'map.h5: has 2 channels of heights: 1 "Height", 2 "Height \(back\)"; must be one of them'):
+        fstiff.measure(file)
+    for channel, factor in (("Height", 2), (2, 3)):
+        np.testing.assert_allclose(fstiff.open_surface(file, channel=channel).heights, rough_map * factor)
+    first = 2  # the only one is read, whichever place it has
+    np.testing.assert_allclose(fstiff.open_surface(file).heights, rough_map * 3)
