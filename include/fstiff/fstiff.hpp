@@ -81,6 +81,7 @@
 #include <fstiff/topography/scan_lines.hpp>
 #include <fstiff/topography/sum_of_maps.hpp>
 #include <fstiff/topography/summits.hpp>
+#include <fstiff/topography/texture_direction.hpp>
 #include <fstiff/topography/white_noise.hpp>
 #include <fstiff/halfspace/bonded_contact.hpp>
 #include <fstiff/halfspace/boundary_elements.hpp>

@@ -6,6 +6,8 @@
 #include <fstiff/measure/least_squares_form.hpp>
 #include <fstiff/profile/autocorrelation.hpp>
 
+#include <cmath>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -59,8 +61,9 @@ RoughnessTable roughness_table(const PreparedProfile<double>& levelled, const Cu
                     parameters.rms_slope ? "root of the mean square slope, by seven points"
                                          : "there are no seven points in a row"},
                    {"RSm", "m", parameters.mean_spacing,
-                    parameters.mean_spacing ? "mean width of the elements, from pits to peaks beyond a tenth of Rz"
-                                            : "no element has a peak and a pit beyond a tenth of Rz"},
+                    parameters.mean_spacing
+                        ? "mean width of the elements, from pits to peaks beyond a tenth of Rz and 1 % of a section"
+                        : "no element has a peak and a pit beyond a tenth of Rz and 1 % of a section"},
                    {"Ral", "m", length,
                     length ? "lag at which the autocorrelation falls to 0.2"
                            : "the autocorrelation stays above 0.2 to half of the length, or lacks a lag"}};
@@ -76,11 +79,16 @@ RoughnessTable roughness_table(const PreparedMap<double>& measured, const Parall
     const bool has_directions = map.rows() >= 4 && map.columns() >= 4;
     ArealParameters<double> parameters;
     detail::TextureParameters<double> texture;
+    std::optional<double> direction;
     RoughnessTable table{.standard = "ISO 25178-2:2021", .lines = {}, .sections = {}, .cut_offs = levelled.cut_offs};
     RoughnessTable ratio;  // the last lines of the table
     detail::run_pieces(parallel, 3, [&](std::size_t i) {
         if (i == 0) parameters = areal_parameters(map, levelled.areal);
-        if (i == 1 && has_directions) texture = detail::texture_parameters(detail::areal_autocorrelation(map));
+        if (i == 1 && has_directions) {
+            const auto correlation = detail::areal_autocorrelation(map);
+            texture = detail::texture_parameters(correlation);
+            direction = detail::texture_direction(correlation);
+        }
         if (i == 2) add_material_ratio(ratio, "S", {map.heights.data(), static_cast<std::size_t>(map.size())});
     });
     table.lines = {{"Sa", "m", parameters.mean_deviation, "mean of the distances from the mean height"},
@@ -105,9 +113,30 @@ RoughnessTable roughness_table(const PreparedMap<double>& measured, const Parall
                            texture.shortest ? "shortest lag at which the autocorrelation falls to 0.2" : no_length});
     table.lines.push_back({"Str", "", texture.aspect_ratio,
                            texture.aspect_ratio ? "that over the longest such lag; 1: no direction" : no_ratio});
+    constexpr double degree = std::numbers::pi_v<double> / 180;
+    table.lines.push_back({"Std", "deg", direction ? std::optional(*direction / degree) : std::nullopt,
+                           direction        ? "direction of the ridges, from x towards y; without meaning near Str 1"
+                           : has_directions ? "the map has no waves"
+                                            : no_length});
     table.lines.insert(table.lines.end(), ratio.lines.begin(), ratio.lines.end());
     return table;
 }
+
+namespace {
+
+/// Mean of \p values [\p unit]; that of directions is a direction, as 1 and 179 degrees are 2 degrees apart.
+double mean_of(const std::vector<double>& values, const std::string& unit) {
+    constexpr double half_turn = 180, radian = half_turn / std::numbers::pi_v<double>;
+    double sum = 0, across = 0;
+    for (const double value : values) {
+        sum += unit == "deg" ? std::cos(2 * value / radian) : value;
+        across += std::sin(2 * value / radian);
+    }
+    if (unit != "deg") return sum / static_cast<double>(values.size());
+    return std::fmod(std::atan2(across, sum) * radian / 2 + half_turn, half_turn);
+}
+
+}  // namespace
 
 RoughnessTable mean_of(const std::vector<RoughnessTable>& tables) {
     RoughnessTable mean = tables.front();
@@ -118,15 +147,15 @@ RoughnessTable mean_of(const std::vector<RoughnessTable>& tables) {
         if (table.sections != mean.sections || table.section_length != mean.section_length)
             mean.sections = "of each file by itself", mean.section_length = 0;
     for (std::size_t i = 0; i < mean.lines.size(); ++i) {
-        double sum = 0;
+        std::vector<double> values;
         for (const RoughnessTable& table : tables) {
             const RoughnessLine& line = table.lines[i];
             if (line.value)
-                sum += *line.value;
+                values.push_back(*line.value);
             else if (mean.lines[i].value)
                 mean.lines[i] = {line.symbol, line.unit, std::nullopt, "not of every file: " + line.meaning};
         }
-        if (mean.lines[i].value) mean.lines[i].value = sum / static_cast<double>(tables.size());
+        if (mean.lines[i].value) mean.lines[i].value = mean_of(values, mean.lines[i].unit);
     }
     return mean;
 }

@@ -203,6 +203,7 @@ TEST_CASE("measure names the standard and the undefined parameters, and its CSV 
     CHECK(found["Sal_m"].is_number());
     CHECK(found["Str"].is_null());
     CHECK(contains(found["reasons"]["Str"].get<std::string>(), "degrees from x"));
+    CHECK(std::abs(found["Std_deg"].get<double>() - 90) < 0.1);
 }
 
 TEST_CASE("Missing points have an autocorrelation and no spectrum, with a note") {

@@ -57,6 +57,13 @@ TEST_CASE("RSm is the wavelength of a sine, and what is lower than a tenth of Rz
     auto ripple = sine(2e-6, 4000, 20);
     for (std::size_t i = 0; i < 4000; ++i) ripple.heights[i] += 0.15e-6 * std::sin(2 * pi * static_cast<double>(i) / 9);
     CHECK(test::relative_error(*roughness_parameters(ripple).mean_spacing, 200e-7) < 0.01);
+    // a notch to the mean line and through it, of 0.7 % and 1.5 % of a fifth of the profile, in every second peak
+    for (const auto& [points, expected] : {std::pair{6, 200e-7}, {12, 200e-7 * 20 / 30}}) {
+        auto notched = sine(2e-6, 4000, 20);
+        for (std::size_t peak = 50; peak < 4000; peak += 400)
+            for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) notched.heights[peak + i] = -1e-6;
+        CHECK(test::relative_error(*roughness_parameters(notched).mean_spacing, expected) < 0.05);
+    }
     auto hole = sine(2e-6, 4000, 20);  // elements that miss a point do not count
     for (std::size_t i = 1000; i < 1090; ++i) hole.heights[i] = std::numeric_limits<double>::quiet_NaN();
     CHECK(test::relative_error(*roughness_parameters(hole).mean_spacing, 200e-7) < 1e-3);

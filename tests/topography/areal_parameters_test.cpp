@@ -50,6 +50,31 @@ TEST_CASE("A tilted plane with one wave: the moments of a sine, and the area of 
     CHECK(wave.max_height == wave.max_peak_height + wave.max_pit_depth);
 }
 
+TEST_CASE("Sdr of an egg-box is the mean of its area by quadrature, and not the product of mean lengths") {
+    constexpr double pi = std::numbers::pi;
+    for (const double steepness : {0.05, 0.5, 2.0}) {  // amplitude times wave number
+        CAPTURE(steepness);
+        double area = 0, length = 0;  // of the function itself, which is periodic: the trapezoidal rule is exact
+        for (int i = 0; i < 400; ++i)
+            for (int j = 0; j < 400; ++j) {
+                const double x = 2 * pi * i / 400, y = 2 * pi * j / 400;
+                const double u = steepness * std::sin(x) * std::cos(y), v = steepness * std::cos(x) * std::sin(y);
+                area += (std::sqrt(1 + u * u + v * v) - 1) / 160000;
+                length += std::sqrt(1 + u * u) / 160000;
+            }
+        HeightMap<double> map;
+        map.dx = map.dy = 2 * pi / 200;
+        map.heights.resize(401, 401);
+        for (Eigen::Index j = 0; j < 401; ++j)
+            for (Eigen::Index i = 0; i < 401; ++i)
+                map.heights(j, i) =
+                    steepness * std::cos(static_cast<double>(i) * map.dx) * std::cos(static_cast<double>(j) * map.dy);
+        const double found = *areal_parameters(map).developed_area_ratio;
+        CHECK(test::relative_error(found, area) < 1.5e-4);  // 200 steps a wave take (pi/200)^2/3 of a slope squared
+        CHECK(length * length - 1 - found > 0.05 * steepness * steepness * found);  // the product of Stout
+    }
+}
+
 TEST_CASE("Gaussian heights have Ssk 0, Sku 3 and Sa = sqrt(2/pi) Sq, within the scatter of their number") {
     test::Normal normal(7);
     HeightMap<double> map;

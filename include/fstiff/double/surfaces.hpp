@@ -28,6 +28,7 @@
 #include <fstiff/topography/islands.hpp>
 #include <fstiff/topography/map_spectrum.hpp>
 #include <fstiff/topography/summits.hpp>
+#include <fstiff/topography/texture_direction.hpp>
 
 #ifndef FSTIFF_DOUBLE
 #define FSTIFF_DOUBLE extern template

@@ -5,13 +5,13 @@
 ///
 ///     Ra = <|z|>    Rq^2 = <z^2>    Rsk = <z^3>/Rq^3    Rku = <z^4>/Rq^4    Rt = max z - min z    z about the mean
 ///     Rp, Rv, Rz = means over five sections of max z, -min z and max z - min z
-///     RSm = mean width of the elements, each a peak above Rz/10 and a pit below -Rz/10, between crossings of the mean
+///     RSm = mean width of the elements, each a pit below -Rz/10 and a peak above Rz/10, at least 1 % of a section wide
 ///     Rdq^2 = <z'^2>   z' = (z_(i+3) - 9 z_(i+2) + 45 z_(i+1) - 45 z_(i-1) + 9 z_(i-2) - z_(i-3))/(60 h)
 ///
 /// The sections are the five lengths lambda_c in the middle of the profile where it is long enough, else fifths of it.
 /// Means are over the points that exist; a slope needs seven points.
 ///
-/// Reference   ISO 21920-2:2021, ISO 21920-3:2021 (five sections); ISO 4287:1997, 4.4.1 (the slope)
+/// Reference   ISO 21920-2:2021, -3 (five sections); ISO 4287:1997, 3.2.7 and 4.3.1 (widths), 4.4.1 (the slope)
 /// Units       heights, spacing, cut-off [m]; Rsk, Rku, Rdq dimensionless
 /// Valid       at least 16 points, not all of one height; remove the form first
 /// Accuracy    1e-13 relative, and the rounding of an offset (tests/profile/roughness_parameters_test.cpp)
@@ -82,21 +82,52 @@ template <Real F>
     return squares.value() / static_cast<F>(slopes);
 }
 
-/// Mean distance of the rises of \p z through 0, in points; none where there are none without a missing point between
-/// them. A rise counts once \p z, which was below -\p least, is above \p least.
+/// A part of a profile between two crossings of 0, or up to an end or a missing point.
 template <Real F>
-[[nodiscard]] std::optional<F> mean_element_width(const std::vector<F>& z, F least) {
-    F width = 0, elements = 0, crossing = -1, last = -1;  // last: the rise that counted; < 0 for none
-    bool below = false;
+struct ProfileRun {
+    F begin{}, end{};  // in points
+    F extreme{};
+    bool is_cut{};  // by an end or a missing point
+    bool after_gap{};
+};
+
+/// The runs of \p z on one side of 0, from the first point on.
+template <Real F>
+[[nodiscard]] std::vector<ProfileRun<F>> runs_of(const std::vector<F>& z) {
+    std::vector<ProfileRun<F>> runs;
     for (std::size_t i = 0; i < z.size(); ++i) {
-        if (std::isnan(z[i])) {
-            below = false, last = -1;
-            continue;
+        if (std::isnan(z[i])) continue;
+        const bool after_gap = i == 0 || std::isnan(z[i - 1]);
+        const F place = static_cast<F>(i);
+        if (after_gap) {
+            if (!runs.empty()) runs.back().is_cut = true;
+            runs.push_back({place, place, z[i], true, true});
+        } else if ((z[i] < 0) != (z[i - 1] < 0)) {
+            const F crossing = place - z[i] / (z[i] - z[i - 1]);
+            runs.back().end = crossing;
+            runs.push_back({crossing, place, z[i], false, false});
+        } else {
+            ProfileRun<F>& run = runs.back();
+            run.end = place;
+            run.extreme = run.extreme < 0 ? (std::min)(run.extreme, z[i]) : (std::max)(run.extreme, z[i]);
         }
-        if (z[i] < -least) below = true, crossing = -1;
-        if (below && crossing < 0 && i > 0 && z[i] >= 0 && z[i - 1] < 0)
-            crossing = static_cast<F>(i) - z[i] / (z[i] - z[i - 1]);
-        if (!below || !(z[i] > least)) continue;
+    }
+    if (!runs.empty()) runs.back().is_cut = true;
+    return runs;
+}
+
+/// Mean distance of the rises of \p z through 0, in points; none where there are none without a missing point between
+/// them. A rise leads from a pit below -\p least to the next peak above \p least, both at least \p narrowest wide; at
+/// an end any width counts.
+template <Real F>
+[[nodiscard]] std::optional<F> mean_element_width(const std::vector<F>& z, F least, F narrowest) {
+    F width = 0, elements = 0, crossing = 0, last = -1;  // last: the rise that counted; < 0 for none
+    bool below = false;
+    for (const ProfileRun<F>& run : runs_of(z)) {
+        if (run.after_gap) below = false, last = -1;
+        if (!run.is_cut && run.end - run.begin < narrowest) continue;
+        if (run.extreme < -least) below = true, crossing = run.end;
+        if (!below || !(run.extreme > least)) continue;
         if (last >= 0) width += crossing - last, elements += 1;
         last = crossing, below = false;
     }
@@ -151,7 +182,9 @@ template <Real T>
     const std::size_t count = result.by_cutoff ? 5 * static_cast<std::size_t>(steps) : size;
     result.section_length = result.by_cutoff ? *cutoff : static_cast<T>(size) * profile.spacing / 5;
     detail::measure_sections(z, (size - count) / 2, count, unit, result);
-    if (const auto width = detail::mean_element_width(z, static_cast<double>(result.section_height) / unit / 10))
+    const double narrowest = static_cast<double>(result.section_length / profile.spacing) / 100;
+    if (const auto width =
+            detail::mean_element_width(z, static_cast<double>(result.section_height) / unit / 10, narrowest))
         result.mean_spacing = static_cast<T>(*width * static_cast<double>(profile.spacing));
     return result;
 }
