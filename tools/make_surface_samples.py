@@ -252,7 +252,36 @@ def mat_profile():
                variable("X", 20, [0.5 * column for column in at]))
 
 
-FILES = {"metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "opd/map.opd": opd,
+def mesh(line):
+    """Places of 0.5 and 0.25 um, and the triangles of the cells, by \p line of a place, a height and of three places."""
+    places = [line((column / 2, row / 4), z) for (row, column), z in zip(POINTS, heights(float("nan")))]
+    cells = [row * COLUMNS + column for row, column in POINTS if row + 1 < ROWS and column + 1 < COLUMNS]
+    corners = [corner for at in cells for corner in ((at, at + 1, at + COLUMNS), (at + 1, at + COLUMNS + 1, at + COLUMNS))]
+    return places, corners
+
+
+def ply(big=None):
+    """The faces before the vertices, so that a file cut short lacks some; big: None is text."""
+    form = "ascii" if big is None else "binary_big_endian" if big else "binary_little_endian"
+    order = ">" if big else "<"
+    if big is None:
+        places, corners = mesh(lambda place, z: "%g %g %g\n" % (*place, z))
+        body = ("".join("3 %d %d %d\n" % corner for corner in corners) + "".join(places)).encode()
+    else:
+        places, corners = mesh(lambda place, z: struct.pack(order + "3f", *place, z))
+        body = b"".join(struct.pack(order + "B3i", 3, *corner) for corner in corners) + b"".join(places)
+    return (f"ply\nformat {form} 1.0\nelement face {len(corners)}\nproperty list uchar int vertex_indices\n"
+            f"element vertex {len(places)}\nproperty float x\nproperty float y\nproperty float z\nend_header\n").encode() + body
+
+
+def obj():
+    """The faces before the vertices, as those of ply."""
+    places, corners = mesh(lambda place, z: "v %g %g %g\n" % (*place, z))
+    return ("o plate\n" + "".join("f %d %d %d\n" % tuple(i + 1 for i in corner) for corner in corners) + "".join(places)).encode()
+
+
+FILES = {"ply/map.ply": lambda: ply(True), "ply/little.ply": lambda: ply(False), "ply/text.ply": ply, "obj/map.obj": obj,
+         "metropro/map.dat": metropro, "vk4/map.vk4": vk4, "vk4/map.vk6": vk6, "opd/map.opd": opd,
          "opd/real.opd": lambda: opd(4), "al3d/map.al3d": al3d, "plu/map.plu": plu, "plux/map.plux": plux,
          "netcdf/map.nc": netcdf,
          "netcdf/profile.nc": lambda: netcdf((("x", 20, 10.0),)), "opdx/map.opdx": opdx,

@@ -58,8 +58,8 @@ class SurfaceOptions(TypedDict, total=False):
     filter               of lambda_c: "gaussian" or "robust"
     tip_radius, resolution   of the instrument
     units                of an object without them, or of a file: "um,nm" (lengths, heights) or "um"
-    format, column, x_column, missing, thousands, resample, x3p_increment, channel, width, height   of a file alone: see
-                         docs/formats.md
+    format, column, x_column, missing, thousands, resample, x3p_increment, channel, width, height, grid, facing   of a file
+                         alone: see docs/formats.md
     """
 
     spacing: Length | tuple[Length, Length]
@@ -90,6 +90,8 @@ class SurfaceOptions(TypedDict, total=False):
     channel: str | int
     width: Length
     height: Length
+    grid: Length
+    facing: str | os.PathLike[str]
 
 
 #: Options that have no meaning for an array.
@@ -279,7 +281,7 @@ def options_of(options: dict[str, Any]) -> dict[str, Any]:
     for name, value in options.items():
         if value is None:
             continue
-        if name == "mask":
+        if name in ("mask", "facing"):
             made[name] = named(value, name)
         elif name == "channel" and isinstance(value, int):
             made[name] = str(value)

@@ -33,7 +33,9 @@ constexpr std::string_view unpack = "unpack it first";
 constexpr std::string_view as_csv = "export its table as CSV";
 constexpr std::string_view points = "export its points as a text of x, y and z";
 constexpr std::string_view sample = "make an array of its heights by the lines with trimesh in docs/formats.md";
-constexpr std::string_view json = "write its numbers as CSV, or give them to fstiff.measure in Python";
+constexpr std::string_view json =
+    "must be a list of points, [[x, y, z], ...], for the command, or numbers as CSV, or given to fstiff.measure in "
+    "Python";
 constexpr std::string_view from_the_program = "export the heights from the program that wrote it";
 
 constexpr std::array known_binaries{
@@ -113,11 +115,6 @@ constexpr std::array known_texts{
     KnownBinary{"P3", "a PPM picture", no_heights},
     KnownBinary{"{\\rtf", "a text of a word processor (.rtf)", "save it as plain text"},
     KnownBinary{"solid", "a mesh of triangles (.stl)", sample},
-    KnownBinary{"ply", "a mesh of polygons (.ply)", sample},
-    KnownBinary{"mtllib ", "a mesh of polygons (.obj)", sample},
-    KnownBinary{"v ", "a mesh of polygons (.obj)", sample},
-    KnownBinary{"o ", "a mesh of polygons (.obj)", sample},
-    KnownBinary{"g ", "a mesh of polygons (.obj)", sample},
     KnownBinary{"ISO-10303-21", "a part of CAD (.stp)", no_heights},
     KnownBinary{"{", "a text of JSON", json},
     KnownBinary{"[", "a text of JSON", json},
@@ -134,20 +131,17 @@ bool is_text_beside(std::string_view magic) {
            magic.starts_with("WSxM");
 }
 
-/// Whether \p rest begins with the words of \p magic and not with longer ones: "P2" and a size, "v" and numbers.
+/// Whether \p rest begins with the words of \p magic and not with longer ones: "P2" and a size.
 bool is_whole(std::string_view magic, std::string_view rest) {
     const std::string_view behind = rest.substr(magic.size());
-    if (magic == "v ") return leading_number(trimmed(behind)).status == NumberStatus::ok;
     if (magic == "{" || magic == "[") {  // R prints [1] before its numbers
         const std::string_view inner = trimmed(behind);
         const LeadingNumber number = leading_number(inner);
         return inner.starts_with('"') || inner.starts_with('{') || inner.starts_with('[') ||
                (number.status == NumberStatus::ok && trimmed(inner.substr(number.length)).starts_with(','));
     }
-    if (magic[0] == 'P' || magic == "ply") return behind.empty() || is_blank(behind[0]);
-    const std::string_view lines = rest.substr(0, 4096);
-    if (magic == "solid") return lines.find("facet") < lines.size();
-    return magic.size() > 2 || lines.find("\nv ") < lines.size();
+    if (magic[0] == 'P') return behind.empty() || is_blank(behind[0]);
+    return magic != "solid" || rest.substr(0, 4096).find("facet") < rest.size();
 }
 
 /// The number of \p size bytes at \p place, least significant first; 0 beyond the end.
@@ -211,9 +205,6 @@ std::string known_binary_refusal(std::string_view bytes) {
             return refusal(known, "binary: ");
     if (has_nul) return refusal(known_by_content(bytes), "binary: ");
     std::string_view rest = bytes.substr(bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-    // remarks come before the first vertex of a mesh
-    while (rest.starts_with('#') || rest.starts_with('\n') || rest.starts_with('\r'))
-        rest.remove_prefix((std::min)(rest.find('\n'), rest.size() - 1) + 1);
     for (const KnownBinary& known : known_texts)
         if (rest.starts_with(known.magic) && is_whole(known.magic, rest)) return refusal(known, "");
     return {};

@@ -133,4 +133,11 @@ std::size_t MapTable::height_column() const {
     return found.size() == 1 ? found.front() : 2;
 }
 
+PointCloud MapTable::cloud(const std::array<double, 3>& units, const std::array<std::string, 3>& unit_names) const {
+    PointCloud cloud{.units = units, .unit_names = unit_names};
+    for (std::size_t r = 0; r < table_.rows(); ++r)
+        cloud.points.push_back({table_.at(r, 0), table_.at(r, 1), table_.at(r, 2)});
+    return cloud;
+}
+
 }  // namespace fstiff::inline v0_1::io::detail

@@ -8,6 +8,7 @@
 ///
 /// Units       those of the file
 
+#include "io/gridded.hpp"
 #include "io/height_sense.hpp"
 #include "io/matrix_axes.hpp"
 #include "io/regular_grid.hpp"
@@ -73,6 +74,9 @@ protected:
     /// The column of z, counted from 0, where there are more than three: the one of that title, or the only one beyond
     /// x and y with a unit of length, or the third.
     std::size_t height_column() const;
+
+    /// The first three columns as points.
+    PointCloud cloud(const std::array<double, 3>& units, const std::array<std::string, 3>& unit_names) const;
 
     std::string name_;
     NumberTable table_;

@@ -69,7 +69,7 @@ private:
     }
 
     RawMap triples() {
-        if (begins_with_triples()) keep_columns({0, 1, height_column()});
+        if ((options_.grid && table_.columns > 3) || begins_with_triples()) keep_columns({0, 1, height_column()});
         note_columns();
         if (table_.columns != 3) refuse_file(name_, {"has ", table_.columns, " columns; triples must have 3: x, y, z"});
         const bool pixels = counts_pixels();
@@ -79,14 +79,15 @@ private:
         for (std::size_t r = 0; r < table_.rows(); ++r)
             if (std::isnan(table_.at(r, 0)) || std::isnan(table_.at(r, 1)))
                 refuse_line(name_, table_.row_lines[r], {"has no position; x and y must be finite decimal numbers"});
-        if (!grid()) refuse_thousands(table_, used_columns(), false, name_);
-        if (!grid())
-            refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps in x and in "
-                                "y, of which a tenth of the points at least is there"});
-        const GridAxis &x = grid()->x, &y = grid()->y;
-        const auto [x_unit, y_unit, z_unit] = is_zygo() ? units_of_zygo()
-                                              : pixels  ? units_of_pixels(x.count, y.count)
-                                                        : units_of_triples();
+        const bool on_grid = !options_.grid && grid().has_value();
+        if (!on_grid) refuse_thousands(table_, used_columns(), false, name_);
+        const auto units = is_zygo() ? units_of_zygo()
+                           : pixels  ? units_of_pixels(grid()->x.count, grid()->y.count)
+                                     : units_of_triples();
+        if (!on_grid && !options_.grid)
+            refuse_file(name_, {"has x and y that lie on no regular grid; must be a raster of equal steps, a tenth of "
+                                "which is there, or be put on one by ",
+                                proposed_grid(cloud(units, unit_names_), name_, options_.names)});
         RawMap map;
         std::vector<double> z(table_.rows());
         for (std::size_t r = 0; r < z.size(); ++r) z[r] = table_.at(r, 2);
@@ -94,16 +95,25 @@ private:
                      height_unit_, [&](std::size_t r) { return table_.row_lines[r]; });
         refuse_thousands(table_, used_columns(), false, name_);
         for (std::size_t r = 0; r < z.size(); ++r) table_.values[3 * r + 2] = z[r];
-        record_.resolution = table_.printed[2].resolution() * z_unit;
-        map.rows = y.count;
-        map.columns = x.count;
-        map.heights = heights_on(*grid(), table_, name_);
-        for (double& height : map.heights) height *= z_unit;
+        if (!pixels) notes_.size_from = on_grid ? "steps of x and y" : "grid of the options";
+        if (on_grid)
+            put_on_grid(map, units);
+        else
+            map = gridded(cloud(units, unit_names_), name_, options_, record_);
         turn_over(map, written_[columns_[2] - 1], entries_, name_, record_);
-        if (!pixels) notes_.size_from = "steps of x and y";
-        map.dx = pixels ? x_unit : step_of(x, x_unit, stated_.dx);
-        map.dy = pixels ? y_unit : step_of(y, y_unit, stated_.dy);
         return map;
+    }
+
+    /// The rows as a map on the grid of their x and y.
+    void put_on_grid(RawMap& map, const std::array<double, 3>& units) {
+        const GridAxis &x = grid()->x, &y = grid()->y;
+        record_.resolution = table_.printed[2].resolution() * units[2];
+        map.rows = y.count, map.columns = x.count;
+        map.heights = heights_on(*grid(), table_, name_);
+        for (double& height : map.heights) height *= units[2];
+        map.dx = counts_pixels() ? units[0] : step_of(x, units[0], stated_.dx);
+        map.dy = counts_pixels() ? units[1] : step_of(y, units[1], stated_.dy);
+        record_.origin = {x.origin * units[0], y.origin * units[1]};
     }
 
     /// The step of an axis [m]; as stated in the header when both agree, without the rounding of the positions.
@@ -367,6 +377,7 @@ private:
     Record record_;
     std::vector<std::string_view> given_units_;
     std::string lateral_unit_, height_unit_;
+    std::array<std::string, 3> unit_names_;  // of x, y and the heights
     StatedGrid stated_;
 };
 
@@ -383,9 +394,9 @@ namespace detail {
 extern constexpr Reader triples_reader{.format = SurfaceFormat::triples,
                                        .endings = ".xyz .csv .txt ...",
                                        .holds = "text: x, y, z in a line",
-                                       .recognised = "three columns that fill a rectangular grid",
-                                       .asks_for = "--units without a header that has them",
-                                       .options = "units dx dy width height missing thousands channel"};
+                                       .recognised = "three columns that fill a rectangular grid, or --grid",
+                                       .asks_for = "--units without a header that has them, --grid of scattered points",
+                                       .options = "units dx dy width height missing thousands channel grid"};
 
 extern constexpr Reader matrix_reader{
     .format = SurfaceFormat::matrix,

@@ -10,14 +10,15 @@ namespace detail {
 
 extern const Reader profile_reader, triples_reader, matrix_reader, sdf_reader, x3p_reader, npy_reader, gsf_reader,
     gwy_reader, sur_reader, smd_reader, metropro_reader, vk4_reader, opd_reader, al3d_reader, plu_reader, plux_reader,
-    netcdf_reader, opdx_reader, zygo_reader, surfer_reader, mat_reader;
+    netcdf_reader, opdx_reader, zygo_reader, surfer_reader, mat_reader, ply_reader, obj_reader;
 
 namespace {
 
-constexpr std::array all_readers{
-    &profile_reader, &triples_reader, &matrix_reader, &sdf_reader,      &x3p_reader,  &npy_reader,    &gsf_reader,
-    &gwy_reader,     &sur_reader,     &smd_reader,    &metropro_reader, &vk4_reader,  &opd_reader,    &al3d_reader,
-    &plu_reader,     &plux_reader,    &netcdf_reader, &opdx_reader,     &zygo_reader, &surfer_reader, &mat_reader};
+constexpr std::array all_readers{&profile_reader,  &triples_reader, &matrix_reader, &sdf_reader,  &x3p_reader,
+                                 &npy_reader,      &gsf_reader,     &gwy_reader,    &sur_reader,  &smd_reader,
+                                 &metropro_reader, &vk4_reader,     &opd_reader,    &al3d_reader, &plu_reader,
+                                 &plux_reader,     &netcdf_reader,  &opdx_reader,   &zygo_reader, &surfer_reader,
+                                 &mat_reader,      &ply_reader,     &obj_reader};
 static_assert(all_readers.size() + 1 == enum_names<SurfaceFormat>.size(), "every form but automatic has a row");
 
 }  // namespace

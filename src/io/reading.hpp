@@ -20,6 +20,7 @@ struct Record {
     std::vector<std::string> warnings;
     std::size_t missing{};  ///< points
     double resolution{};    ///< step in which the heights are printed or counted [m]; 0 where it is not known
+    std::optional<std::array<double, 2>> origin{};  ///< x and y of the first point of a map [m], where they are stated
 
     void note(std::string key, std::string text) { entries.emplace_back(std::move(key), std::move(text)); }
     /// "3 x 4, of which 2 missing", and \p more.

@@ -19,19 +19,14 @@ namespace {
 /// Refuses the options that \p format has no use for.
 void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
     const std::string useful = " " + std::string(reader_of(format).options) + " ";
-    const std::pair<std::string_view, bool> given[] = {{"units", !options.units.empty()},
-                                                       {"spacing", options.spacing.has_value()},
-                                                       {"column", options.column != 0},
-                                                       {"x-column", options.x_column != 0},
-                                                       {"dx", options.dx.has_value()},
-                                                       {"dy", options.dy.has_value()},
-                                                       {"width", options.width.has_value()},
-                                                       {"height", options.height.has_value()},
-                                                       {"missing", !options.missing.empty()},
-                                                       {"thousands", !options.thousands.empty()},
-                                                       {"resample", options.resample},
-                                                       {"channel", !options.channel.empty()},
-                                                       {"x3p-increment", options.x3p_increment != X3pIncrement::apply}};
+    const std::pair<std::string_view, bool> given[] = {
+        {"units", !options.units.empty()},     {"spacing", options.spacing.has_value()},
+        {"column", options.column != 0},       {"x-column", options.x_column != 0},
+        {"dx", options.dx.has_value()},        {"dy", options.dy.has_value()},
+        {"width", options.width.has_value()},  {"height", options.height.has_value()},
+        {"missing", !options.missing.empty()}, {"thousands", !options.thousands.empty()},
+        {"resample", options.resample},        {"channel", !options.channel.empty()},
+        {"grid", options.grid.has_value()},    {"x3p-increment", options.x3p_increment != X3pIncrement::apply}};
     for (const auto& [option, is_given] : given)
         if (is_given && useful.find(" " + std::string(option) + " ") == std::string::npos)
             refuse_file(name, {"is read as ", name_of(format), ", which has no use for ", option,
@@ -61,6 +56,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
         return {SurfaceFormat::profile, found};
     }
     const std::size_t columns = reader.table(options.missing).columns;  // without those that number the points
+    if (options.grid && columns > 2) return {SurfaceFormat::triples, "grid, which only points have"};
     if (reader.is_zygo()) return {SurfaceFormat::triples, "the header"};
     if (reader.axes()) return {SurfaceFormat::matrix, MapTable::axes_from};
     if (columns <= 2)
@@ -81,7 +77,8 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
         ambiguous(
             " that begin with no regular grid, and no stated size: may be scattered triples, a matrix "
             "or a profile with a column to choose",
-            as("triples") + ", " + as("matrix") + ", or " + as("profile") + " with column");
+            as("triples") + " with " + options.names.prefix + "grid, " + as("matrix") + ", or " + as("profile") +
+                " with column");
     }
     if (reader.begins_with_triples()) {
         if (sized && !reader.counts_pixels())
@@ -214,6 +211,7 @@ ReadSurface read(std::string bytes, std::string_view name, const SurfaceOptions&
     record.details = found.record.sentences();
     record.warnings = std::move(found.record.warnings);
     record.resolution = found.record.resolution;
+    record.origin = found.record.origin;
     return {std::move(found.map), std::move(record)};
 }
 

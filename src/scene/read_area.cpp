@@ -3,6 +3,7 @@
 #include "scene/bolts.hpp"
 #include "scene/readers.hpp"
 #include "surface/surface_file.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/halfspace/measured_form.hpp>
 
@@ -47,17 +48,38 @@ Ring read_bolt(Source& source, const toml::node& node, const std::string& key) {
     return {found.hole * 1e-3, outer * 1e-3};
 }
 
+/// The file of contact.form, or its table: how the map of the gap is read, or both faces, whose gap it is.
+surface::SurfaceOptions read_gap_options(Source& source, const toml::node& node, const std::string& key) {
+    surface::SurfaceOptions options;
+    if (!node.is_table()) {
+        options.file = beside_scene(source, source.text(node, key));
+        return options;
+    }
+    const auto is_of_reading = [](const surface::SurfaceOptionRow& row) {
+        using enum surface::OptionGroup;
+        return row.is_of_file() || row.group == step || row.group == step_of_map || row.group == cleaning;
+    };
+    std::vector<std::string_view> keys{"from"};
+    for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
+        if (is_of_reading(row) && row.is_for(surface::SurfaceKind::map)) keys.push_back(row.key);
+    const Section form(source, *node.as_table(), key, keys);
+    options.file = beside_scene(source, source.text(form.at("from"), form.key("from")));
+    for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
+        read_surface_option(source, form, row, options);
+    return options;
+}
+
 /// The map of the gap in the file of contact.form; the area of \p scene becomes its own where none is given.
 std::shared_ptr<const JointForm> read_gap_map(Source& source, const toml::node& node, const Section& contact,
                                               Scene& scene) {
     const std::string key = contact.key("form"), area_key = contact.key("nominal_area");
-    surface::SurfaceOptions options;
-    options.file = beside_scene(source, source.text(node, key));
+    const surface::SurfaceOptions options = read_gap_options(source, node, key);
     return detail::located(source.place(node, key), [&] {
         surface::SurfaceInput input = surface::read_surface_input(options);
         if (input.surface.is_profile())
             throw domain_error(document::display_name(options.file) + ": is a profile; must be a map of the gap");
-        const HeightMap<double> map = input.take_map();
+        HeightMap<double> map = input.take_map();
+        if (!options.facing.empty()) map.heights = -map.heights;  // the gap of both faces, not the sum of their heights
         std::optional<double>& area = scene.given.nominal_area;
         if (!area) area = map.area(), source.record_default(area_key, "of the form", *area, si_unit(Dimension::area));
         if (std::abs(map.area() / *area - 1) > 0.02)

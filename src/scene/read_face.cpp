@@ -27,6 +27,18 @@ std::string beside_scene(Source& source, const std::string& file) {
                     : document::name_of_path(document::path_of(source.file).parent_path() / document::path_of(file)));
 }
 
+bool read_surface_option(Source& source, const Section& section, const surface::SurfaceOptionRow& row,
+                         surface::SurfaceOptions& options) {
+    const toml::node* const node = section.find(row.key);
+    if (!node) return false;
+    row.visit(options, [&](auto& to) {
+        source.read(*node, section.key(row.key), to, row.field_for(surface::SurfaceKind::any));
+        if constexpr (std::is_same_v<decltype(to), std::string&>)
+            if (row.more.form == request::Form::file) to = beside_scene(source, to);
+    });
+    return true;
+}
+
 namespace {
 
 using Measured = std::shared_ptr<const surface::MeasuredSurface>;
@@ -79,14 +91,7 @@ Measured read_from(Source& source, const Section& surface, const ProgressHook& p
     const std::vector<std::string> files = files_of(source, from, surface.key("from"));
     bool defaults = true;
     for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
-        if (const toml::node* node = surface.find(row.key)) {
-            row.visit(options.input, [&](auto& to) {
-                source.read(*node, surface.key(row.key), to, row.field_for(surface::SurfaceKind::any));
-                if constexpr (std::is_same_v<decltype(to), std::string&>)
-                    if (row.more.form == request::Form::file) to = beside_scene(source, to);
-            });
-            defaults = false;
-        }
+        if (read_surface_option(source, surface, row, options.input)) defaults = false;
     return measured_from(options, files, defaults, source.place(from, surface.key("from")), progress);
 }
 

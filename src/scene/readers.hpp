@@ -4,6 +4,7 @@
 
 #include "request/toml.hpp"
 #include "scene/scene.hpp"
+#include "surface/surface_option_table.hpp"
 
 #include <fstiff/core/parallel.hpp>
 
@@ -46,6 +47,10 @@ void read_gap(Source& source, const toml::table& table, Scene& scene);
 void read_friction(Source& source, const toml::table& table, Scene& scene);
 /// \p file, which the scene names relative to itself; "-" is standard input.
 [[nodiscard]] std::string beside_scene(Source& source, const std::string& file);
+/// Reads the option \p row of a surface from \p section into \p options; the name of a file is relative to the
+/// scene. Returns whether it is there.
+bool read_surface_option(Source& source, const Section& section, const surface::SurfaceOptionRow& row,
+                         surface::SurfaceOptions& options);
 /// Reads [contact] of \p root, with the sections of its laws, and of what crosses it, and resolves the joint.
 /// \p replaced: the surface is not that of the scene.
 void read_contact(Source& source, const Section& root, Scene& scene, bool replaced);

@@ -3,6 +3,7 @@
 #include "surface/measured_surface.hpp"
 
 #include "document/file.hpp"
+#include "surface/points_json.hpp"
 
 #include <fstiff/measure/unmeasured_waves.hpp>
 #include <nlohmann/json.hpp>
@@ -126,7 +127,7 @@ Surface<double> values_of(const Parsed& document, const std::string& name) {
 
 bool is_measured_document(std::string_view bytes) {
     const auto first = bytes.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && bytes[first] == '{';
+    return first != std::string_view::npos && bytes[first] == '{' && !is_points_json(bytes);
 }
 
 MeasuredSurface read_measured_document(const std::string& bytes, const std::string& name) {

@@ -4,6 +4,7 @@
 #include <fstiff/double/surfaces.hpp>
 #include "document/shown_unit.hpp"
 #include "surface/equal_heights.hpp"
+#include "surface/facing.hpp"
 
 #include <fstiff/measure/roughness_cut_off.hpp>
 #include <fstiff/profile/levelled_profile.hpp>
@@ -262,9 +263,9 @@ SurfaceInput read_surface_input(const SurfaceOptions& options, std::string bytes
     reading.resample = options.resample;
     reading.x3p_increment = options.x3p_increment.value_or(io::X3pIncrement::apply);
     reading.channel = options.channel;
+    reading.grid = length(options.grid, "grid");
     SurfaceInput input;
-    input.sha256 = document::sha256(bytes);
-    input.surface = io::read_surface(std::move(bytes), document::display_name(options.file), reading);
+    read_faces(options, std::move(bytes), reading, input);
     clean_input(options, input);
     return input;
 }

@@ -124,6 +124,12 @@ constexpr SurfaceOptionRow rows[] = {
     {"channel", file, &Of::channel, if_not_default,
      "for Gwyddion files (.gwy), text with several tables and MATLAB files: number or title of the channel, number or "
      "name of the variable; the default is the lowest number whose values are lengths, else the only one"},
+    {"grid", file_of_map, &Of::grid, if_not_default,
+     "step of the regular grid on which points in any order or a mesh are put, such as \"0.2 mm\": text with x, y, z, "
+     ".ply, .obj and JSON"},
+    {"facing", file_of_map, &Of::facing, if_not_default,
+     "file of the face that lies on this one, in the same coordinates with z upwards: the sum of both is measured",
+     {.form = request::Form::file}},
 };
 // clang-format on
 

@@ -34,6 +34,8 @@ struct SurfaceOptions {
     bool resample = false;                          ///< unequally spaced positions of a profile are interpolated
     std::optional<io::X3pIncrement> x3p_increment;  ///< none: apply
     std::string channel;                            ///< of gwy: its number or its title
+    Amount grid;                                    ///< step of the grid on which points are put
+    std::string facing;                             ///< file of the face on this one, in the same coordinates
     Amount crop;                                    ///< a part of the surface: x0, x1, and y0, y1 of a map
     std::string mask;                               ///< a file of 0 and 1
     LineAlignment align = LineAlignment::none;      ///< of the scan lines of a map

@@ -3,6 +3,7 @@
 #include <fstiff/io/write.hpp>
 #include "io/readers.hpp"
 #include "io/unpack.hpp"
+#include "surface/points_json.hpp"
 
 #include "../support/stored_archive.hpp"
 #include "fuzz.hpp"
@@ -52,7 +53,8 @@ std::vector<SurfaceOptions> options_of_text(bool is_profile) {
             {.format = triples, .units = "mm,um"},
             {.format = matrix, .units = "um", .dx = 1e-6, .height = 1e-3},
             {.format = matrix, .units = "um,um", .missing = "-9999,void"},
-            {.format = triples, .units = "um,um", .missing = "-9999,void"}};
+            {.format = triples, .units = "um,um", .missing = "-9999,void"},
+            {.units = "um", .grid = 0.7e-6}};
 }
 
 void fuzz_text(const std::string& bytes, bool is_profile) {
@@ -90,6 +92,8 @@ std::vector<SurfaceOptions> options_of(SurfaceFormat format) {
             return {{.units = "um"},
                     {.units = "um,nm", .dx = 1e-6, .height = 1e-3, .channel = "2"},
                     {.units = "nm", .spacing = 1e-6, .channel = "1"}};
+        case SurfaceFormat::ply:
+        case SurfaceFormat::obj: return {{.units = "mm"}, {.units = "mm,um", .grid = 0.7e-3}};
         default: return {{.x3p_limits = {.bytes = 1 << 24}}};
     }
 }
@@ -137,6 +141,12 @@ void fuzz_reader(const io::detail::Reader& reader, const std::string& bytes) {
 }  // namespace
 
 void fuzz(const std::string& form, const std::string& bytes) {
+    if (form == "points_json") {
+        std::string text;
+        if (surface::is_points_json(bytes) && returns([&] { text = surface::lines_of_points(bytes, "file").text; }))
+            fuzz_text(text, false);
+        return;
+    }
     if (form.ends_with("_text")) return fuzz_text(bytes, form == "profile_text");
     const io::detail::Reader& reader = io::detail::reader_of(from_name<io::SurfaceFormat>(form, "form"));
     fuzz_reader(reader, bytes);

@@ -186,7 +186,8 @@ TEST_CASE("Points off a grid, twice at a place or without a unit are refused") {
         40, [](int i) { return std::to_string(i % 8) + " " + std::to_string(i / 8) + " " + height_text(i) + "\n"; });
     const SurfaceOptions um{.units = "um"}, um_triples{.format = SurfaceFormat::triples, .units = "um"};
     check_texts({
-        {"scattered", scattered, refused("format = triples, format = matrix, or format = profile with column")},
+        {"scattered", scattered,
+         refused("format = triples with grid, format = matrix, or format = profile with column")},
         {"scattered triples", scattered, refused("lie on no regular grid"), um_triples},
         {"no unit", grid, refused("states no units and none are given")},
         {"steps", grid, refused("format = triples or format = matrix"), {.units = "um", .dx = 1e-6, .dy = 1e-6}},

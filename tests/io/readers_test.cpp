@@ -37,6 +37,9 @@ constexpr Sample samples[] = {
     {SurfaceFormat::metropro, "metropro/map.dat", 0, nominal, nominal, 2.0 * 0.5 / 32768 * nominal},
     {SurfaceFormat::netcdf, "netcdf/map.nc", 0, 0.5e-6, 0.25e-6, 1e-6},
     {SurfaceFormat::netcdf, "netcdf/profile.nc", 80, 0.5e-6, 0.5e-6, 1e-6, 0},  // the positions are not read
+    {SurfaceFormat::obj, "obj/map.obj", 2, 0.5e-6, 0.25e-6, 1e-6},              // the last digit, and the line end
+    {SurfaceFormat::ply, "ply/map.ply", 0, 0.5e-6, 0.25e-6, 1e-6},
+    {SurfaceFormat::ply, "ply/text.ply", 2, 0.5e-6, 0.25e-6, 1e-6},
     {SurfaceFormat::npy, "npy/fortran.npy"},
     {SurfaceFormat::npy, "npy/map-f4-big.npy"},
     {SurfaceFormat::opd, "opd/map.opd", 0, opd_step, opd_step / 2, 75e-9},
@@ -77,7 +80,9 @@ bool is_read(const Sample& sample) {
 /// The reader of \p format, with the options that its files need.
 test::FormReader reader(SurfaceFormat format) {
     if (format == SurfaceFormat::npy) return {format, {.units = "nm", .dx = 1e-6, .dy = 2e-6}};
-    if (format == SurfaceFormat::mat || format == SurfaceFormat::surfer) return {format, {.units = "um"}};
+    if (format == SurfaceFormat::mat || format == SurfaceFormat::surfer || format == SurfaceFormat::ply ||
+        format == SurfaceFormat::obj)
+        return {format, {.units = "um"}};
     return {format};
 }
 
@@ -130,6 +135,7 @@ TEST_CASE("Options are refused by their names where a form has no use for them, 
         {"thousands", {.thousands = "'"}},
         {"resample", {.resample = true}},
         {"channel", {.channel = "1"}},
+        {"grid", {.grid = 1}},
         {"x3p-increment", {.x3p_increment = io::X3pIncrement::ignore}}};
     for (const Reader* form : io::detail::readers())
         for (const auto& [name, of_reader] : options) {

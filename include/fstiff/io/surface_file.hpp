@@ -4,10 +4,10 @@
 /// Reader of measured files: a profile or a map, the recognised form and all decisions. Compiled: link fstiff::io.
 ///
 /// First bytes identify surface data files (SDF), X3P, NumPy, MATLAB, Gwyddion, Digital Surf, Surfer, profiles of ISO
-/// 5436-2, and maps of Zygo, Keyence, Wyko, Alicona and Sensofar; the columns of the first row identify text: 1 or 2 a
-/// profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix unless titles or
-/// SurfaceOptions::column name columns of a profile. An ambiguous file is refused with the option `format` that
-/// decides. Rules of text and of each form: docs/formats.md.
+/// 5436-2, maps of Zygo, Keyence, Wyko, Alicona and Sensofar, and meshes (PLY, OBJ). The columns of the first row
+/// identify text: 1 or 2 a profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix unless
+/// titles or SurfaceOptions::column name columns of a profile. SurfaceOptions::grid puts points and meshes on a grid. An
+/// ambiguous file is refused with the option `format` that decides. Rules of text and of each form: docs/formats.md.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are those of the file
 /// Valid       profiles of at least 16 points, maps of at least 2 points a side, heights that vary; files up to 2^31
@@ -19,6 +19,7 @@
 #include <fstiff/profile/profile.hpp>
 #include <fstiff/topography/height_map.hpp>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <iosfwd>
@@ -54,7 +55,9 @@ enum class SurfaceFormat {
     opdx,
     zygo,
     surfer,
-    mat
+    mat,
+    ply,
+    obj
 };
 
 /// Use of the z increment for X3P heights in floating point: ISO 25178-72 multiplies by it, but some programs write an
@@ -78,6 +81,7 @@ inline constexpr auto enum_names<io::SurfaceFormat> = fstiff::detail::name_list<
     {io::SurfaceFormat::plux, "plux"},       {io::SurfaceFormat::netcdf, "netcdf"},
     {io::SurfaceFormat::opdx, "opdx"},       {io::SurfaceFormat::zygo, "zygo"},
     {io::SurfaceFormat::surfer, "surfer"},   {io::SurfaceFormat::mat, "mat"},
+    {io::SurfaceFormat::ply, "ply"},         {io::SurfaceFormat::obj, "obj"},
 });
 template <>
 inline constexpr auto enum_names<io::X3pIncrement> = fstiff::detail::name_list<io::X3pIncrement>(
@@ -123,8 +127,10 @@ struct SurfaceOptions {
     bool resample = false;    ///< of a profile: unequally spaced positions are interpolated
     X3pIncrement x3p_increment = X3pIncrement::apply;  ///< of X3P with floating-point heights
     X3pLimits x3p_limits{};
-    std::string channel{};  ///< of gwy, text, mat: number or title; empty: the lowest in lengths or only one
-    OptionNames names{};    ///< for messages
+    std::string channel{};         ///< of gwy, text, mat: number or title; empty: the lowest in lengths or only one
+    std::optional<double> grid{};  ///< of triples, ply and obj: step of the grid on which the points are put [m]
+    std::optional<std::array<double, 2>> grid_origin{};  ///< a point of that grid [m]; none: by the points
+    OptionNames names{};                                 ///< for messages
 };
 
 namespace detail {
@@ -140,6 +146,7 @@ struct SurfaceRecord {
     std::vector<std::string> details{};   ///< of the reader of that form
     std::vector<std::string> warnings{};  ///< of readings that may be wrong, with the option of the other
     double resolution{};  ///< step in which the heights are printed or counted [m]; 0 where it is not known
+    std::optional<std::array<double, 2>> origin{};  ///< x and y of the first point of a map [m], where they are stated
 
     /// These decisions as sentences for people, one a line, without a full stop.
     [[nodiscard]] std::vector<std::string> sentences() const;
