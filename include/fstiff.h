@@ -334,8 +334,9 @@ FSTIFF_API int fstiff_spectrum(const fstiff_heights* heights, const char* option
  * "rows", "columns", "dx_m", "dy_m". The text is the file that the command writes. */
 FSTIFF_API int fstiff_generate(const char* options, fstiff_document** made);
 /** Reflection of a stiffness, or stiffness of a reflection or of a curve of them. Options: stiffness, or reflection (a
- * number or the name of a file); reflection_error; film_stiffness; frequency; impedance, or density and velocity; the
- * same with 2 for the body beyond. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve
+ * number or the name of a file); reflection_error; film_stiffness; frequency, unless a file has a column of it;
+ * material, or impedance, or density and velocity; the same with 2 for the body beyond; wave, for the speed of sound of
+ * a material. Numbers: "stiffness_Pa_per_m", "reflection" ...; of a curve
  * "rows.0.stiffness_Pa_per_m", "rows.1..." */
 FSTIFF_API int fstiff_ultrasound(const fstiff_measured_curve* curve, const char* options, fstiff_document** made);
 /** The answer of a scene, `length` bytes of TOML (NULL, of length 0: the built-in scene), and the laws that it names.

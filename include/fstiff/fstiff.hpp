@@ -148,6 +148,7 @@
 #include <fstiff/tabulated/slip_motion.hpp>
 #include <fstiff/tabulated/slip_path.hpp>
 #include <fstiff/tabulated/tangential_law.hpp>
+#include <fstiff/wave/common_stiffness.hpp>
 #include <fstiff/wave/spring_interface.hpp>
 #include <fstiff/wave/uncertain_reflection.hpp>
 #include <fstiff/measure/concerns.hpp>

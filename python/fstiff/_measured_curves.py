@@ -27,17 +27,25 @@ if TYPE_CHECKING:
     Amount: TypeAlias = Union[float, str]
 
 #: The columns of a curve in memory.
-COLUMNS = ("pressure", "stiffness", "reflection", "error")
+COLUMNS = ("pressure", "frequency", "stiffness", "reflection", "error")
 
 
 def _curve(given: Mapping[str, Any]) -> _core.Curve:
     """A curve in memory: the columns of a file by their names, in SI, and "error" of either."""
     unknown = set(given) - set(COLUMNS)
-    if unknown or "pressure" not in given or ("stiffness" in given) == ("reflection" in given):
-        raise ValueError("measured: must have the columns pressure, one of stiffness and reflection, and error if it is known")
+    places = "pressure" in given or ("frequency" in given and "reflection" in given)
+    if unknown or not places or ("stiffness" in given) == ("reflection" in given):
+        raise ValueError(
+            "measured: must have the columns pressure (frequency may take its place, or be next to it, for reflections), "
+            "one of stiffness and reflection, and error if it is known"
+        )
     key = "reflection" if "reflection" in given else "stiffness"
-    error = numbers(given["error"], "error", si_unit(key)) if "error" in given else None
-    return _core.curve(numbers(given["pressure"], "pressure"), numbers(given[key], key), error, key == "reflection")
+
+    def column(name: str, unit: str) -> Any:
+        return numbers(given[name], name, unit) if name in given else None
+
+    pressures = numbers(given["pressure"], "pressure") if "pressure" in given else None
+    return _core.curve(pressures, numbers(given[key], key), column("error", si_unit(key)), key == "reflection", column("frequency", "Hz"))
 
 
 class Identification(Document):
@@ -108,13 +116,16 @@ def ultrasound(
     reflection: float | Curve | None = None,
     reflection_error: float | None = None,
     film_stiffness: Amount | None = None,
-    frequency: Amount,
+    frequency: Amount | None = None,
+    material: str | None = None,
     impedance: Amount | None = None,
     density: Amount | None = None,
     velocity: Amount | None = None,
+    material2: str | None = None,
     impedance2: Amount | None = None,
     density2: Amount | None = None,
     velocity2: Amount | None = None,
+    wave: Literal["longitudinal", "shear"] | None = None,
 ) -> Ultrasound:
     """The reflection of an interface from its stiffness, or back, as `fstiff ultrasound` computes them.
 
@@ -122,9 +133,11 @@ def ultrasound(
     reflection         |R| of displacement amplitudes, or a curve as identify() takes it, which becomes K(p)
     reflection_error   standard error of |R|, where no curve has its own
     film_stiffness     of a fluid film in parallel with K [Pa/m]: its bulk modulus over its thickness
-    frequency          [Hz]
-    impedance          of the body that the wave comes from [kg/(m^2 s)]; or its density [kg/m^3] and velocity of sound [m/s]
-    impedance2 ...     of the body beyond; by default those of the first body
+    frequency          [Hz]; a curve may have its own
+    material           of the body that the wave comes from, such as "steel"; or
+    impedance          of that body [kg/(m^2 s)]; or its density [kg/m^3] and velocity of sound [m/s]
+    material2 ...      of the body beyond; by default those of the first body
+    wave               the kind of wave, for the speed of sound of a material
     """
     own = dict(locals())
     curve = _curve(own.pop("reflection")) if isinstance(reflection, Mapping) else None

@@ -140,11 +140,13 @@ actions::OneContact contact(const Scene& scene, const std::string& law, std::siz
     return actions::make_contact(std::move(of), place, peaks, until_interrupted());
 }
 
-actions::MeasuredCurve curve(const In& pressures, const In& values, const std::optional<In>& errors,
-                             bool is_reflection) {
-    return actions::curve_of_numbers(numbers_of(pressures), numbers_of(values),
-                                     errors ? numbers_of(*errors) : std::span<const double>(), is_reflection,
-                                     "measured");
+actions::MeasuredCurve curve(const std::optional<In>& pressures, const In& values, const std::optional<In>& errors,
+                             bool is_reflection, const std::optional<In>& frequencies) {
+    const auto list = [](const std::optional<In>& numbers) {
+        return numbers ? numbers_of(*numbers) : std::span<const double>();
+    };
+    return actions::curve_of_numbers(list(pressures), numbers_of(values), list(errors), is_reflection, "measured",
+                                     list(frequencies));
 }
 
 Found identified(const Scene& scene, const nb::dict& options, const std::optional<actions::MeasuredCurve>& curve) {
@@ -209,7 +211,8 @@ void add_scenes(nb::module_& m) {
         .def_prop_ro(
             "points", [](const Scene& scene) { return NewArray(scene.points).take(); }, nb::rv_policy::automatic);
     nb::class_<actions::MeasuredCurve>(m, "Curve", "A measured curve of stiffnesses or reflections.");
-    m.def("curve", &curve, nb::arg("pressures"), nb::arg("values"), nb::arg("errors").none(), nb::arg("is_reflection"));
+    m.def("curve", &curve, nb::arg("pressures").none(), nb::arg("values"), nb::arg("errors").none(),
+          nb::arg("is_reflection"), nb::arg("frequencies").none());
     m.def("identify", &identified, nb::arg("scene"), nb::arg("options"), nb::arg("curve").none());
     m.def("ultrasound", &ultrasound, nb::arg("options"), nb::arg("curve").none());
     m.def("export", &exported, nb::arg("scene"), nb::arg("options"));

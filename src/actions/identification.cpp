@@ -50,6 +50,7 @@ std::vector<Observation<double>> observations(const MeasuredCurve& curve, const 
         };
         if (curve.has_errors && !(point.error > 0)) refuse("error", point.error, "greater than 0 to weigh the point");
         if (curve.is_reflection && !(point.value < 2)) refuse("reflection", point.value, "at most 1, apart from noise");
+        if (curve.is_reflection && !(point.value > 0)) refuse("reflection", point.value, "greater than 0");
         data.push_back({point.pressure, point.value, point.error});
     }
     return data;
@@ -374,7 +375,7 @@ Fits identify(const Scene& scene, const MeasuredCurve& curve, const FitRequest& 
     }
     for (const Parameter unknown : unknown_parameters(scene.joint, scene.best))  // held at an assumed value
         if (!has(request.wanted, unknown)) fits.doubtful = true;
-    if (scene.implausible) fits.doubtful = true;
+    if (scene.implausible || curve.doubtful) fits.doubtful = true;
     std::size_t sound = 0;
     for (const Fit& fit : fits.fits) {
         bool doubted = false;

@@ -138,6 +138,7 @@ void introduce(document::Document& document, const scene::Scene& scene, const Id
         std::to_string(curve.points.size()) + " points, p " + document::rounded(least->pressure / 1e6) + " to " +
             document::rounded(most->pressure / 1e6) + " MPa, " +
             (curve.has_errors ? "weighed by their errors" : "no errors: equal weights, errors from the scatter"));
+    if (!curve.left_out.empty()) document.line("left out", curve.left_out);
     if (!scene.assumptions.empty()) {
         InputLine assumed{"assumed", scene.assumptions};
         assumed.parts.emplace_back("which the intervals leave out");
@@ -150,6 +151,7 @@ void introduce(document::Document& document, const scene::Scene& scene, const Id
                                  {"quantity", curve.is_reflection ? "reflection" : "stiffness"},
                                  {"has_errors", curve.has_errors},
                                  {"decisions", curve.decisions}};
+    if (!curve.left_out.empty()) document.json["measured"]["left_out"] = curve.left_out;
     const auto& wave = identified.found.wave;
     if (!wave) return;
     document.json["wave"] = {{"angular_frequency_rad_per_s", wave->angular_frequency},
@@ -305,11 +307,29 @@ std::vector<Parameter> parameters_of(const IdentifyRequest& request) {
     return wanted;
 }
 
+namespace {
+
+/// Refuses reflections of one load, and those of another frequency than that of \p scene.
+void require_one_frequency(const scene::Scene& scene, const MeasuredCurve& curve) {
+    if (!curve.has_pressures)
+        throw domain_error(curve.name + ": there is no column pressure; a fit needs reflections under several loads");
+    if (!curve.has_frequencies || !curve.is_reflection || !scene.joint.ultrasound) return;
+    for (const MeasuredPoint& point : curve.points)
+        if (const double own = scene.joint.ultrasound->frequency; std::abs(point.frequency / own - 1) > 1e-6)
+            throw domain_error(curve.name + ":" + std::to_string(point.line) + ": frequency = " +
+                               document::rounded(point.frequency / 1e6) + " MHz: must be ultrasound.frequency of " +
+                               scene.file + ", " + document::rounded(own / 1e6) +
+                               " MHz; fstiff ultrasound joins several frequencies to one K(p), as CSV");
+}
+
+}  // namespace
+
 Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& request,
                           std::optional<MeasuredCurve> curve) {
     Identified identified;
     identified.wanted = parameters_of(request);
     identified.curve = curve ? *std::move(curve) : read_measured_curve(request.measured);
+    require_one_frequency(scene, identified.curve);
     require_distinct_points(identified.curve);
     identified.found = identify(scene, identified.curve,
                                 {identified.wanted, request.law, request.wave == WaveKind::shear, request.prefix});

@@ -22,17 +22,6 @@ namespace fstiff::actions {
 /// The laws that can be fitted.
 [[nodiscard]] std::vector<std::string_view> fitted_law_names();
 
-/// The kind of wave whose reflections were measured.
-enum class WaveKind { longitudinal, shear };
-
-}  // namespace fstiff::actions
-
-template <>
-inline constexpr auto fstiff::enum_names<fstiff::actions::WaveKind> = detail::name_list<actions::WaveKind>(
-    {{actions::WaveKind::longitudinal, "longitudinal"}, {actions::WaveKind::shear, "shear"}});
-
-namespace fstiff::actions {
-
 /// How parameters are called in requests and documents.
 inline constexpr auto parameter_short_names = [] {
     std::array<std::string_view, detail::parameter_table.size()> names;

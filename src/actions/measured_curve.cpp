@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "actions/measured_curve.hpp"
 
+#include "actions/curve_header.hpp"
 #include "document/file.hpp"
 #include "io/number_table.hpp"
 
 #include <fstiff/core/error.hpp>
-#include <fstiff/io/units.hpp>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 #include <string_view>
 #include <tuple>
@@ -18,182 +18,141 @@ namespace {
 
 namespace text = io::detail;
 
-constexpr std::string_view must_name_columns =
-    "the first line must name the columns, such as \"pressure [MPa], stiffness [GPa/um], stiffness_error [GPa/um]\" or "
-    "\"pressure [MPa], reflection, reflection_error\"";
-
-/// "pressure" and "MPa" of "pressure [MPa]", "pressure (MPa)", "pressure/MPa", "pressure_MPa", "stiffness_Pa_per_m".
-struct Title {
-    std::string name, unit;
-};
-
-Title title_of(std::string_view cell) {
-    for (const auto& [open, close] : {std::pair{'[', ']'}, {'(', ')'}}) {
-        const std::size_t begin = cell.find(open), end = cell.rfind(close);
-        if (begin != std::string_view::npos && end != std::string_view::npos && begin < end)
-            return {text::lower_case(text::trimmed(cell.substr(0, begin))),
-                    std::string(text::trimmed(cell.substr(begin + 1, end - begin - 1)))};
-    }
-    const auto is_any = [](std::string_view unit) {
-        return io::is_unit(unit, io::Dimension::pressure) || io::is_unit(unit, io::Dimension::stiffness_per_area);
-    };
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-        if (cell[i] != '_' && cell[i] != '/' && cell[i] != ' ') continue;
-        std::string unit(cell.substr(i + 1));
-        if (const std::size_t per = unit.find("_per_"); per != std::string::npos) unit.erase(per, 4), unit[per] = '/';
-        if (is_any(unit)) return {text::lower_case(text::trimmed(cell.substr(0, i))), unit};
-    }
-    return {text::lower_case(text::trimmed(cell)), ""};
-}
-
-/// Kinds of a column, the names of each, and its dimension; none: a plain number.
-namespace column {
-enum Kind : std::size_t { pressure, stiffness, reflection, error };
-}
-struct Meaning {
-    column::Kind kind;
-    std::optional<io::Dimension> dimension;
-    std::vector<std::string_view> names;
-};
-const std::vector<Meaning>& meanings() {
-    static const std::vector<Meaning> meanings{
-        {column::pressure, io::Dimension::pressure, {"pressure", "p"}},
-        {column::stiffness, io::Dimension::stiffness_per_area, {"stiffness", "k", "k/a0"}},
-        {column::reflection, {}, {"reflection", "r", "|r|", "r12", "|r12|"}},
-        {column::error, io::Dimension::stiffness_per_area, {"stiffness_error", "stiffness error", "k_error"}},
-        {column::error, {}, {"reflection_error", "reflection error", "r_error"}},
-        // takes its unit from its title, or none
-        {column::error,
-         io::Dimension::stiffness_per_area,
-         {"error", "standard error", "standard_error", "uncertainty", "std", "stdev", "standard deviation"}}};
-    return meanings;
-}
-
-struct ReadColumn {
-    std::size_t index;
-    double factor;
-};
-
-struct Header {
-    std::array<std::optional<ReadColumn>, 4> columns;  ///< by column::Kind
-    bool error_is_share = false;                       ///< a plain "error" column without a unit
-    std::optional<std::size_t> law, theta, r, answer;  ///< of fstiff run
-    [[nodiscard]] bool computed() const { return law.has_value(); }
-};
-
 using Cells = std::vector<std::string_view>;
 
-/// The place of the column called \p name.
-std::optional<std::size_t> column_called(const Cells& cells, std::string_view name) {
-    const auto place = std::find_if(cells.begin(), cells.end(), [&](auto cell) { return text::trimmed(cell) == name; });
-    return place == cells.end() ? std::nullopt : std::optional(static_cast<std::size_t>(place - cells.begin()));
-}
+/// One row of the file.
+struct RowReader {
+    const Cells& cells;
+    bool decimal_comma;
+    std::string where;  ///< "file.csv:3: "
 
-Header read_header(const Cells& cells, const std::string& where, MeasuredCurve& curve) {
-    Header header;
-    if (column_called(cells, "eta") && column_called(cells, "law")) {
-        header.law = column_called(cells, "law");
-        header.theta = column_called(cells, "theta");
-        header.r = column_called(cells, "r");
-        header.answer = column_called(cells, "answer");
-    }
-    const bool has_stiffness =
-        std::any_of(cells.begin(), cells.end(), [](auto cell) { return title_of(cell).name == "stiffness"; });
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const Title title = title_of(cells[i]);
-        const auto meaning = std::find_if(meanings().begin(), meanings().end(), [&](const Meaning& known) {
-            return std::find(known.names.begin(), known.names.end(), title.name) != known.names.end();
-        });
-        if (meaning == meanings().end() && !header.computed())
-            curve.warnings.push_back(where + "column \"" + std::string(cells[i]) + "\" is not read");
-        if (meaning == meanings().end() || i == header.r) continue;
-        if (header.computed() && meaning->kind == column::error) {
-            curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) +
-                                      "\" left out: the bound of a computation is not a standard error");
-            continue;
-        }
-        if (header.computed() && meaning->kind == column::reflection && has_stiffness) continue;
-        const std::string column = where + "column \"" + std::string(cells[i]) + "\": ";
-        double factor = 1;
-        const bool is_plain_error = meaning == meanings().end() - 1;
-        const bool is_share = !meaning->dimension || (is_plain_error && (title.unit.empty() || title.unit == "%"));
-        if (is_plain_error) header.error_is_share = is_share;
-        if (is_share) {
-            if (!title.unit.empty() && title.unit != "%")
-                throw domain_error(column + "has the unit \"" + title.unit + "\"; must be a plain number, or in %");
-            factor = title.unit.empty() ? 1 : 0.01;
-        } else {
-            try {
-                if (title.unit.empty())
-                    throw domain_error("has no unit; must be one of " + io::accepted_units(*meaning->dimension));
-                factor = io::unit_factor(title.unit, *meaning->dimension);
-            } catch (const domain_error& refusal) {
-                throw domain_error(column + refusal.what());
-            }
-        }
-        if (header.columns[meaning->kind]) throw domain_error(column + "is listed twice");
-        header.columns[meaning->kind] = ReadColumn{i, factor};
-        curve.decisions.push_back("column " + std::to_string(i + 1) + " \"" + std::string(cells[i]) + "\" read as " +
-                                  title.name + (title.unit.empty() ? "" : " in " + title.unit));
-    }
-    return header;
-}
-
-void check_header(const Header& header, const std::string& where) {
-    const auto& columns = header.columns;
-    if (!columns[column::pressure])
-        throw domain_error(where + "there is no column pressure; " + std::string(must_name_columns));
-    if (columns[column::stiffness] && columns[column::reflection])
-        throw domain_error(where + "there are both a stiffness and a reflection column; must be one of the two");
-    if (!columns[column::stiffness] && !columns[column::reflection])
-        throw domain_error(where + "there is no column stiffness or reflection; " + std::string(must_name_columns));
-    if (columns[column::stiffness] && columns[column::error] && header.error_is_share)
-        throw domain_error(where + "the error column has no unit; must be one of " +
-                           io::accepted_units(io::Dimension::stiffness_per_area));
-}
-
-MeasuredPoint read_row(const Cells& cells, const Header& header, bool decimal_comma, const std::string& where) {
-    const auto number = [&](const ReadColumn& column, std::string_view name, bool zero_allowed) {
+    /// The number of \p column as it is written.
+    [[nodiscard]] double number(const ReadColumn& column, std::string_view name, bool zero_allowed,
+                                bool any_sign = false) const {
         const std::string key = where + std::string(name);
         if (column.index >= cells.size()) throw domain_error(key + ": is missing; must be a number");
-        const auto parsed = text::number_in(cells[column.index], decimal_comma);
-        if (!parsed && decimal_comma && text::number_in(cells[column.index], false))
+        const std::string_view cell = cells[column.index];
+        const auto parsed = text::number_in(cell, decimal_comma);
+        if (!parsed && decimal_comma && text::number_in(cell, false))
             throw domain_error(
-                key + " = " + text::shown_cell(cells[column.index]) +
+                key + " = " + text::shown_cell(cell) +
                 ": must be a number with a decimal comma, as others of the file have, without separators "
                 "of thousands");
-        const double x = parsed ? *parsed * column.factor : -1;
-        if (!parsed || !(x > 0 || (zero_allowed && x == 0)) || !(x <= std::numeric_limits<double>::max()))
-            throw domain_error(key + " = " + text::shown_cell(cells[column.index]) +
-                               (x > 1 ? ": is beyond the range of double precision in SI; must be a finite number "
-                                      : ": must be a finite number ") +
-                               (zero_allowed ? "that is not negative" : "greater than 0"));
+        const double x = parsed.value_or(-1);
+        const bool allowed = parsed && (any_sign || x > 0 || (zero_allowed && x == 0));
+        if (!allowed || !(std::abs(x) * column.title.factor <= std::numeric_limits<double>::max()))
+            throw domain_error(key + " = " + text::shown_cell(cell) +
+                               (x > 1 ? ": is beyond the range of double precision in SI; must be a finite number"
+                                      : ": must be a finite number") +
+                               (any_sign       ? ""
+                                : zero_allowed ? " that is not negative"
+                                               : " greater than 0"));
         return x;
-    };
-    const auto& columns = header.columns;
-    MeasuredPoint point{number(*columns[column::pressure], "pressure", false),
-                        columns[column::reflection] ? number(*columns[column::reflection], "reflection", false)
-                                                    : number(*columns[column::stiffness], "stiffness", false),
-                        0, 0, 0};
-    if (columns[column::error]) point.error = number(*columns[column::error], "error", true);
-    return point;
+    }
+    [[nodiscard]] double value(const ReadColumn& column, std::string_view name, bool zero_allowed = false) const {
+        const bool logarithm = column.title.scale == CellScale::decibel || column.title.scale == CellScale::loss;
+        const double x = number(column, name, zero_allowed, logarithm);
+        if (column.title.column != CurveColumn::reflection) return x * column.title.factor;
+        const double decibels = column.title.scale == CellScale::loss ? -x : x;
+        if (logarithm && decibels > 1)
+            throw domain_error(where + std::string(name) + " = " + document::shortest(x) +
+                               " dB: would be above 1; |R| in dB is negative, and a positive loss is called "
+                               "reflection loss [dB]");
+        if (!logarithm && column.title.value(x) > 1.6)
+            throw domain_error(where + std::string(name) + " = " + document::shortest(x) +
+                               ": must be less than 1; of per cent the title is R [%], of decibels R [dB]");
+        return column.title.value(x);
+    }
+    [[nodiscard]] bool is_missing(const ReadColumn& column) const {
+        return column.index >= cells.size() || cells[column.index].empty() ||
+               text::is_missing_word(cells[column.index]);
+    }
+};
+
+/// The points of a row: one for each column of values.
+void read_row(const RowReader& row, const CurveHeader& header, std::vector<MeasuredPoint>& points, std::size_t line) {
+    MeasuredPoint point{.pressure = 0, .value = 0, .line = line};
+    if (const auto& pressure = header.of(CurveColumn::pressure))
+        point.pressure = row.value(*pressure, "pressure", true);
+    if (const auto& frequency = header.of(CurveColumn::frequency)) point.frequency = row.value(*frequency, "frequency");
+    if (const auto& phase = header.of(CurveColumn::phase); phase && !row.is_missing(*phase)) {
+        point.phase = row.number(*phase, "phase", true, true) * phase->title.factor;
+        if (std::abs(*point.phase) > 6.3)
+            throw domain_error(row.where + "phase = " + document::shortest(*point.phase) +
+                               ": is beyond a full turn; of degrees the title is phase [deg]");
+    }
+    const bool no_load = header.of(CurveColumn::pressure) && point.pressure == 0;
+    for (const ReadColumn& column : header.values) {
+        if (row.is_missing(column) && (header.values.size() > 1 || no_load)) continue;
+        if (column.title.pressure) point.pressure = *column.title.pressure;
+        if (column.title.frequency) point.frequency = *column.title.frequency;
+        point.value =
+            row.value(column, header.is_reflection() ? "reflection" : "stiffness", header.is_reflection() || no_load);
+        if (const auto& error = header.of(CurveColumn::error)) {
+            point.error = row.value(*error, "error", true);
+            if (error->title.scale != CellScale::factor) point.error *= std::log(10) / 20 * point.value;
+        }
+        points.push_back(point);
+    }
 }
 
-/// Whether some cell of \p lines is a number with a decimal comma.
-bool has_decimal_comma(const std::vector<text::Line>& lines, char separator) {
+/// Whether some cell of the rows is a number with a decimal comma.
+bool has_decimal_comma(const std::vector<text::Line>& lines, const CurveHeader& header) {
     Cells cells;
-    return std::any_of(lines.begin(), lines.end(), [&](const text::Line& line) {
-        text::split_line(line.text, separator, cells);
+    return std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(header.rows), lines.end(), [&](const auto& line) {
+        text::split_line(line.text, header.separator, cells);
         return std::any_of(cells.begin(), cells.end(), [](auto cell) {
             return cell.find(',') != std::string_view::npos && text::number_in(cell, true);
         });
     });
 }
 
+/// Refuses reflections whose unit cannot be what the title states.
+void check_scale(const CurveHeader& header, const MeasuredCurve& curve) {
+    if (!curve.is_reflection || curve.points.empty()) return;
+    const CurveTitle& title = header.values.front().title;
+    const auto all = [&](auto test) {
+        return std::all_of(curve.points.begin(), curve.points.end(),
+                           [&](const MeasuredPoint& point) { return test(point.value); });
+    };
+    if ((title.scale == CellScale::decibel || title.scale == CellScale::loss) && all([](double R) { return R >= 1; }) &&
+        !all([](double R) { return R == 1; }))
+        throw domain_error(curve.name +
+                           ": all reflections would be above 1; |R| in dB is negative, and a positive loss "
+                           "is called reflection loss [dB]");
+    if (title.scale == CellScale::factor && title.factor == 0.01 && all([](double R) { return R <= 0.0101; }))
+        throw domain_error(curve.name + ": no reflection is above 1 %; a plain number has the title R, without %");
+}
+
+/// Takes the rows without load out of \p curve.
+void leave_out_unloaded(MeasuredCurve& curve) {
+    if (!curve.has_pressures) return;
+    const auto first = std::find_if(curve.points.begin(), curve.points.end(),
+                                    [](const MeasuredPoint& point) { return point.pressure == 0; });
+    if (first == curve.points.end()) return;
+    const MeasuredPoint unloaded = *first;
+    double furthest = 0;
+    for (const MeasuredPoint& point : curve.points)
+        if (point.pressure == 0) furthest = std::max(furthest, std::abs(point.value - 1) - 2 * point.error);
+    const std::size_t count =
+        std::erase_if(curve.points, [](const MeasuredPoint& point) { return point.pressure == 0; });
+    curve.left_out =
+        count == 1 ? "line " + std::to_string(unloaded.line) + ", without load"
+                   : std::to_string(count) + " points without load, the first at line " + std::to_string(unloaded.line);
+    if (curve.is_reflection) curve.left_out += ", |R| = " + document::rounded(unloaded.value);
+    curve.doubtful = curve.is_reflection && furthest > 0.02;
+    if (curve.doubtful)
+        curve.warnings.push_back(curve.name + ":" + std::to_string(unloaded.line) +
+                                 ": |R| without load is not 1: the reference is not that of a free face, and every |R| "
+                                 "is wrong by as much");
+    if (curve.points.empty())
+        throw domain_error(curve.name + ": has no row with load; pressure must be greater than 0 in one at least");
+}
+
 /// How the one curve of several laws is called that the rows of an answer are.
 constexpr std::string_view answer_curve = "answer";
 
-ComputedCurve computed_curve(const Cells& cells, const Header& header) {
+ComputedCurve computed_curve(const Cells& cells, const CurveHeader& header) {
     ComputedCurve curve;
     if (header.answer && *header.answer < cells.size() && text::trimmed(cells[*header.answer]) == "1") {
         curve.law = answer_curve;
@@ -226,36 +185,32 @@ MeasuredCurve read_measured_curve(const std::string& file) {
     curve.sha256 = document::sha256(bytes);
     const std::string content = text::text_of(bytes, curve.name, "the columns pressure and stiffness or reflection");
     std::size_t count = 0;
-    auto lines = text::lines_of(content, curve.name, count);
-    std::erase_if(lines, [](const text::Line& line) { return text::is_comment(line.text); });
-    if (lines.empty()) throw domain_error(curve.name + ": holds comments only; " + std::string(must_name_columns));
+    const auto lines = text::lines_of(content, curve.name, count);
+    if (lines.empty()) throw domain_error(curve.name + ": holds blank lines only; " + std::string(must_name_columns));
     const auto where = [&](const text::Line& line) { return curve.name + ":" + std::to_string(line.number) + ": "; };
-    const char separator = lines.front().text.find(';') != std::string_view::npos    ? ';'
-                           : lines.front().text.find('\t') != std::string_view::npos ? '\t'
-                           : lines.front().text.find(',') != std::string_view::npos  ? ','
-                                                                                     : ' ';
+    const CurveHeader header = read_header(lines, curve);
     // of all rows: a point in one of them is then refused, for it may separate thousands
-    const bool decimal_comma = separator != ',' && has_decimal_comma(lines, separator);
+    const bool decimal_comma = has_decimal_comma(lines, header);
+    curve.is_reflection = header.is_reflection();
+    curve.has_errors = header.of(CurveColumn::error).has_value();
+    curve.has_pressures = header.of(CurveColumn::pressure) || header.values.front().title.pressure;
+    curve.has_frequencies = header.of(CurveColumn::frequency) || header.values.front().title.frequency;
     Cells cells;
-    text::split_line(lines.front().text, separator, cells);
-    if (std::all_of(cells.begin(), cells.end(),
-                    [&](auto cell) { return text::number_in(cell, decimal_comma).has_value(); }))
-        throw domain_error(where(lines.front()) + "is a row of numbers; " + std::string(must_name_columns));
-    const Header header = read_header(cells, where(lines.front()), curve);
-    check_header(header, where(lines.front()));
-    curve.is_reflection = header.columns[column::reflection].has_value();
-    curve.has_errors = header.columns[column::error].has_value();
-    for (std::size_t row = 1; row < lines.size(); ++row) {
-        text::split_line(lines[row].text, separator, cells);
-        MeasuredPoint& point = curve.points.emplace_back(read_row(cells, header, decimal_comma, where(lines[row])));
-        point.line = lines[row].number;
+    for (std::size_t row = header.rows; row < lines.size(); ++row) {
+        if (text::is_comment(lines[row].text)) continue;
+        text::split_line(lines[row].text, header.separator, cells);
+        const std::size_t before = curve.points.size();
+        read_row({cells, decimal_comma, where(lines[row])}, header, curve.points, lines[row].number);
         if (!header.computed()) continue;
         const ComputedCurve law = computed_curve(cells, header);
         const auto known = std::find(curve.computed.begin(), curve.computed.end(), law);
-        point.curve = static_cast<std::size_t>(known - curve.computed.begin());
+        for (std::size_t i = before; i < curve.points.size(); ++i)
+            curve.points[i].curve = static_cast<std::size_t>(known - curve.computed.begin());
         if (known == curve.computed.end()) curve.computed.push_back(law);
     }
     if (curve.points.empty()) throw domain_error(curve.name + ": has a header but no row; at least one row is needed");
+    check_scale(header, curve);
+    leave_out_unloaded(curve);
     if (curve.computed.size() > 1 && curve.computed.front().law == answer_curve) {  // the laws that are named count
         std::erase_if(curve.points, [](const MeasuredPoint& point) { return point.curve == 0; });
         for (MeasuredPoint& point : curve.points) --point.curve;
@@ -281,27 +236,38 @@ void require_distinct_points(const MeasuredCurve& curve) {
 }
 
 MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<const double> values,
-                               std::span<const double> errors, bool is_reflection, const std::string& name) {
+                               std::span<const double> errors, bool is_reflection, const std::string& name,
+                               std::span<const double> frequencies) {
     MeasuredCurve curve;
     curve.name = name;
     curve.is_reflection = is_reflection;
     curve.has_errors = !errors.empty();
-    if (pressures.empty()) throw domain_error(name + ": has no point; at least one is needed");
-    if (values.size() != pressures.size() || (curve.has_errors && errors.size() != pressures.size()))
-        throw domain_error(name + ": pressures, values and errors must have the same length");
+    curve.has_frequencies = !frequencies.empty();
+    curve.has_pressures = !pressures.empty() || !curve.has_frequencies;
+    if (values.empty()) throw domain_error(name + ": has no point; at least one is needed");
+    const auto has_length = [&](std::span<const double> list, bool needed) {
+        return needed ? list.size() == values.size() : list.empty();
+    };
+    if (!has_length(pressures, curve.has_pressures) || !has_length(errors, curve.has_errors) ||
+        !has_length(frequencies, curve.has_frequencies))
+        throw domain_error(name + ": pressures, values and errors must have the same length, and so must frequencies");
     std::string bytes;
-    for (const auto& list : {pressures, values, errors})
+    for (const auto& list : {pressures, values, errors, frequencies})
         bytes.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());
     curve.sha256 = document::sha256(bytes);
-    for (std::size_t i = 0; i < pressures.size(); ++i) {
-        const double error = curve.has_errors ? errors[i] : 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        MeasuredPoint point{.pressure = 0, .value = values[i], .line = i + 1};
+        if (curve.has_errors) point.error = errors[i];
+        if (curve.has_pressures) point.pressure = pressures[i];
+        if (curve.has_frequencies) point.frequency = frequencies[i];
         detail::located(Place{.file = name, .line = i + 1, .before_line = ":"}, [&] {
-            detail::require_positive("pressure", pressures[i]);
-            detail::require_positive(is_reflection ? "reflection" : "stiffness", values[i]);
-            detail::require(error >= 0 && error <= std::numeric_limits<double>::max(), "error", error,
+            if (curve.has_pressures) detail::require_positive("pressure", point.pressure);
+            if (curve.has_frequencies) detail::require_positive("frequency", point.frequency);
+            detail::require_positive(is_reflection ? "reflection" : "stiffness", point.value);
+            detail::require(point.error >= 0 && point.error <= std::numeric_limits<double>::max(), "error", point.error,
                             "finite and not negative");
         });
-        curve.points.push_back({.pressure = pressures[i], .value = values[i], .error = error, .line = i + 1});
+        curve.points.push_back(point);
     }
     return curve;
 }

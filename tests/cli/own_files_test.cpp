@@ -105,8 +105,10 @@ TEST_CASE("Every form of an output replaces an earlier output of any command", "
               "identify --measured k.csv --law hertz --fit sigma",
               "ultrasound --frequency 7MHz --impedance 46MRayl --stiffness 1GPa/um",
               "ultrasound --frequency 7MHz --impedance 46MRayl --reflection 0.5",
-              "ultrasound --reflection r.csv --frequency 7MHz --impedance 46MRayl"})
+              "ultrasound --reflection r.csv --frequency 7MHz --impedance 46MRayl",
+              "ultrasound --reflection f.csv --material steel"})
             calls.push_back(call + std::string(" --format ") + format);
+    folder.write("f.csv", "f [MHz],R\n2,0.7\n5,0.92\n10,0.98\n");
     folder.write("k.csv",
                  "pressure [MPa],stiffness [GPa/um],error [GPa/um]\n1,0.015,0.002\n3,0.042,0.006\n10,0.12,0.02\n");
     REQUIRE(in(folder, "generate profile --points 512 --seed 7 --spacing '1 um' --hurst 0.7 --rms '1 um' -o r2.csv")

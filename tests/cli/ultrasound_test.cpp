@@ -173,19 +173,19 @@ TEST_CASE("A file of reflections that is none is refused by line") {
     test::check_refused(call, 3, {"standard input:1", "reflection"}, "p [MPa],b\n1,0.5\n");
     test::check_refused(call, 3, {"stiffnesses", "reflection"}, "p [MPa],K [GPa/um]\n1,0.5\n");
     test::check_refused(call, 3, {"header but no row"}, "p [MPa],R\n");
-    test::check_refused(call, 3, {"standard input:1", "reflection [dB]", "plain number, or in %"},
-                        "p [MPa],reflection [dB]\n1,0.5\n");
+    test::check_refused(call, 3, {"standard input:1", "reflection [V]", "plain number, or in % or dB"},
+                        "p [MPa],reflection [V]\n1,0.5\n");
 }
 
 TEST_CASE("Reflections in per cent are read, and a column that is not is named") {
     const std::string call = "ultrasound --reflection - --format json" + steel;
     const auto plain = test::run_fstiff(call, "p [MPa],R,std\n1,0.9,0.005\n");
-    const auto percent = test::run_fstiff(call, "p [MPa],R [%],f [MHz],R_error [%]\n1,90,2,0.5\n");
+    const auto percent = test::run_fstiff(call, "p [MPa],R [%],T [K],R_error [%]\n1,90,293,0.5\n");
     const auto row = [](const test::Outcome& found) { return nlohmann::json::parse(found.out)["rows"][0]; };
     for (const char* key : {"stiffness_Pa_per_m", "stiffness_error_Pa_per_m"})
         CHECK(test::relative_error(row(percent)[key].get<double>(), row(plain)[key].get<double>()) < 1e-14);
     CHECK(plain.err.empty());
-    CHECK(test::contains(percent.err, "column \"f [MHz]\" is not read"));
+    CHECK(test::contains(percent.err, "column \"T [K]\" is not read"));
     const std::string near = " --reflection 0.99 --reflection-error 0.006" + steel;
     CHECK(test::contains(test::run_fstiff("ultrasound" + near).out, "within two errors of 1"));
     CHECK(test::contains(test::run_fstiff(call + " --reflection-error 0.1", "p [MPa],R,error\n1,0.9,0.005\n").err,

@@ -79,6 +79,22 @@ def test_ultrasound_is_that_of_the_command(command, root):
                (("pressure", "pressure_Pa"), ("reflection", "reflection"), ("error", "reflection_error"))}  # fmt: skip
     of_arrays = fstiff.ultrasound(reflection=columns, frequency=7e6, impedance=46e6)
     assert of_arrays["rows"] == rows and len(of_arrays["file"]["sha256"]) == 64
+    of_material = fstiff.ultrasound(stiffness=1e15, frequency=7e6, material="steel", material2="aluminium")
+    assert of_material["impedance_Rayl"] == 7850 * 5960
+    assert of_material["impedance2_Rayl"] == 2700 * 6420
+    table = root / "data/example_reflections.csv"
+    of_loads = fstiff.ultrasound(reflection=table, material="steel")
+    assert json.loads(of_loads.to_json()) == command.json("ultrasound", "--reflection", table, "--material", "steel")
+    rows = of_loads["rows"]
+    several = {
+        key: [row[name] for row in rows]
+        for key, name in (("pressure", "pressure_Pa"), ("frequency", "frequency_Hz"), ("reflection", "reflection"), ("error", "reflection_error"))
+    }
+    assert fstiff.ultrasound(reflection=several, material="steel")["loads"] == of_loads["loads"]
+    spectrum = {key: several[key][:3] for key in ("frequency", "reflection")}
+    assert fstiff.ultrasound(reflection=spectrum, material="steel")["loads"][0]["frequencies"] == 3
+    with pytest.raises(ValueError, match="must have the columns pressure"):
+        fstiff.ultrasound(reflection={"frequency": [1e6], "stiffness": [1e15]}, material="steel")
     with pytest.raises(ValueError, match="give one of stiffness and reflection"):
         fstiff.ultrasound(frequency=7e6, impedance=46e6)
     with pytest.raises(ValueError, match="frequency = -1"):

@@ -18,10 +18,15 @@ known to a factor of two.)",
     {"export", "Compute", "The law of a scene as the contact law of a finite-element program", "",
      "  fstiff export --to calculix --units mm,N,MPa --tolerance 1%", add_export},
     {"ultrasound", "Compute", "Ultrasonic reflection from the stiffness of an interface, or back",
-     R"(A file begins with its columns and their units: pressure [MPa], reflection, reflection_error. For shear
-waves give the impedances of shear waves; the stiffness is then the tangential one. Exit code 4: some rows
-have an R that belongs to no stiffness.)",
-     R"(  fstiff ultrasound --stiffness "1.764 GPa/um" --frequency "7 MHz" --impedance "46 MRayl")", add_ultrasound},
+     R"(A file names its columns and their units: pressure [MPa], frequency [MHz], reflection, reflection_error,
+phase [deg]; pressure or frequency alone will do. Of several frequencies K is that of all of them, and must not
+depend on them. For shear waves give --wave shear, or their impedances; the stiffness is then the tangential
+one. Exit code 4: some rows have an R that belongs to no stiffness, K depends on the frequency or scatters by
+more than its errors, or the phase contradicts it.)",
+     R"(  fstiff ultrasound --stiffness "1.764 GPa/um" --frequency "7 MHz" --material steel
+  printf 'f [MHz],R,error\n2,0.7,0.005\n5,0.92,0.005\n10,0.98,0.005\n' |
+      fstiff ultrasound --reflection - --material steel)",
+     add_ultrasound},
     {"measure", "Surfaces", "Every parameter of a scene's surface from a measured profile or map, with errors",
      R"(All waves except the form count for a contact, so lambda_c is none unless it is given. The form is what a
 drawing calls form. The table and the JSON also have the roughness parameters of drawings, with the

@@ -7,7 +7,6 @@
 #include "actions/islands.hpp"
 #include "actions/spectrum.hpp"
 #include "actions/truth.hpp"
-#include "actions/ultrasound.hpp"
 #include "commands/commands.hpp"
 #include "input/output_options.hpp"
 #include "input/progress.hpp"
@@ -122,10 +121,6 @@ Command add_spectrum(Arguments& command) {
         add_surface_options(command, given.request.surface);
     };
     return request_command<actions::SpectrumRequest>(command, add);
-}
-
-Command add_ultrasound(Arguments& command) {
-    return request_command<actions::ReflectionRequest>(command, [&](auto& given) { command.fields(given.request); });
 }
 
 Command add_generate(Arguments& command) {

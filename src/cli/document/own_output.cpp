@@ -35,6 +35,7 @@ constexpr std::string_view headers[] = {
     "pressure_Pa,p_star,stiffness_Pa_per_m,",
     "force_N,contact_radius_m,",
     "frequency_Hz,impedance_Rayl,",
+    "frequency_Hz,stiffness_Pa_per_m",
     "name,endings,holds,recognised_by,asks_for",
 };
 

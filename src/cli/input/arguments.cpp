@@ -49,6 +49,17 @@ bool is_existing_file(const std::string& word) {
     return std::filesystem::exists(document::path_of(word), none);
 }
 
+/// The option of \p known that a scene calls otherwise: --impedance2 is ultrasound.lower.impedance there. Empty: none.
+std::string option_of_side(const std::string& word, const std::vector<std::string>& known) {
+    for (const auto& [side, end] : {std::pair("lower", "2"), std::pair("upper", "")})
+        for (const std::string& option : known)
+            if (option.ends_with(end) && option.size() > 3) {
+                const std::string key = option.substr(2, option.size() - 2 - std::string_view(end).size());
+                if (word == std::string("--") + side + "-" + key || word == "--" + key + "-" + side) return option;
+            }
+    return "";
+}
+
 /// The sentence about what CLI11 refused.
 Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
@@ -62,9 +73,12 @@ Usage refusal(const CLI::App& program, const CLI::ParseError& error) {
         if (!unknown.empty() && unknown.front().starts_with("-") && is_existing_file(unknown.front()))
             text += " (" + unknown.front() + " begins with - as an option does; such a file is given as ./" +
                     unknown.front() + ")";
-        else if (!unknown.empty() && unknown.front().starts_with("--"))
-            text += document::suggestion(unknown.front().substr(0, unknown.front().find('=')),
-                                         option_names(*chosen.front()));
+        else if (!unknown.empty() && unknown.front().starts_with("--")) {
+            const std::string word = unknown.front().substr(0, unknown.front().find('='));
+            const std::vector<std::string> known = option_names(*chosen.front());
+            const std::string meant = option_of_side(word, known);
+            text += meant.empty() ? document::suggestion(word, known) : " (did you mean " + meant + "?)";
+        }
     }
     return Usage(text + "; see " + help + " --help");
 }

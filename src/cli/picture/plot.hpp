@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The picture of `run --plot` as SVG that needs nothing else: no script, no font, no other file. Colours follow the
-// reader's light or dark setting. The same figure is written as CSV. The same figure gives the same bytes.
+// The pictures of `run --plot` and `ultrasound --plot` as SVG that needs nothing else: no script, no font, no other
+// file. Colours follow the reader's light or dark setting. The same figure is written as CSV. The same figure gives the
+// same bytes.
 //
-// panels.cpp makes the figure of results and its files, svg.cpp draws it by the ticks of scale.hpp.
+// panels.cpp makes the figure of results and its files, reflections.cpp that of measured reflections, svg.cpp draws
+// them by the ticks of scale.hpp.
 
 #include "actions/answered.hpp"
+#include "actions/ultrasound.hpp"
 #include "document/output.hpp"
 
 #include <cmath>
@@ -69,6 +72,9 @@ struct Figure {
 /// follows from K and is asked for. In the units of the tables.
 /// \throws domain_error when the scene asks for no stiffness.
 [[nodiscard]] Figure results_figure(const actions::Answered& answered, const std::optional<actions::Answered>& between);
+/// K of the curve of \p reflection: of each load against the frequency, on the K by all of them, and against the
+/// pressure.
+[[nodiscard]] Figure reflections_figure(const actions::Reflection& reflection);
 /// \p figure as a file of its own.
 [[nodiscard]] std::string svg(const Figure& figure);
 /// Before anything is read: no input may be \p file or the table of its numbers, FILE.plot.csv. Does nothing without a
