@@ -62,7 +62,7 @@ surface::SurfaceOptions read_gap_options(Source& source, const toml::node& node,
     std::vector<std::string_view> keys{"from"};
     for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
         if (is_of_reading(row) && row.is_for(surface::SurfaceKind::map)) keys.push_back(row.key);
-    const Section form(source, *node.as_table(), key, keys);
+    const Section form(source, node.as_table(), key, keys);
     options.file = beside_scene(source, source.text(form.at("from"), form.key("from")));
     for (const surface::SurfaceOptionRow& row : surface::surface_option_table())
         read_surface_option(source, form, row, options);
