@@ -241,6 +241,7 @@ void find_first_row(NumberTable& table, const std::string& name, const TableRule
     table.first = row_from(zygo_header(table.lines), table, name);
     skip_count(table, name);
     find_words(table);
+    if (table.first == table.lines.size()) refuse_units_in_cells(table, name);
     if (table.first == table.lines.size())
         refuse_line(
             name, table.lines.front().number,

@@ -14,15 +14,26 @@ bool begins_with_number(std::string_view cell) {
     const std::size_t begin = cell.find_first_not_of("+-.,'( ");
     return begin < cell.size() && is_digit(cell[begin]);
 }
+/// Whether \p cell is a number with a unit of length after a blank.
+bool has_unit(std::string_view cell) {
+    const std::size_t last = cell.find_last_of(' ');
+    return last < cell.size() && is_number(trimmed(cell.substr(0, last))) &&
+           is_unit(cell.substr(last + 1), Dimension::length);
+}
+
+/// Whether \p cell begins a line of a Wavefront object: a vertex or a face.
+bool is_of_mesh(std::string_view cell) { return cell == "v" || cell == "vn" || cell == "vt" || cell == "f"; }
+
 /// Whether a cell that is no number may be one all the same, of another separator, with a sign between its thousands or
 /// with its unit.
 bool may_be_number(std::string_view cell) {
+    for (std::size_t i = cell.find_first_of(",;|"); i != cell.npos; i = cell.find_first_of(",;|", i + 1))
+        if (begins_with_number(cell.substr(i + 1))) return true;  // "um,-0.2748"
     if (!begins_with_number(cell)) return false;
     const bool word =
         std::any_of(cell.begin(), cell.end(), [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
     if (!word) return cell.find(':') == cell.npos && cell.find_first_not_of("0123456789-/.") < cell.size();
-    const std::size_t last = cell.find_last_of(' ');
-    return last < cell.size() && is_number(cell.substr(0, last)) && is_unit(cell.substr(last + 1), Dimension::length);
+    return has_unit(cell);
 }
 bool is_gap(std::string_view cell) { return cell.empty() || is_missing_word(cell); }
 
@@ -90,7 +101,8 @@ std::optional<WordRows> rows_between(const std::vector<Line>& lines, char separa
         for (std::size_t c = 0; row && c < columns; ++c) {
             number = number || is_number(cells[c]);
             row = found.words[c] ? !is_number(cells[c]) : is_number(cells[c]) || is_gap(cells[c]);
-            if (found.words[c] && row && may_be_number(cells[c])) return std::nullopt;
+            if (found.words[c] && row && (may_be_number(cells[c]) || (c == 0 && is_of_mesh(cells[c]))))
+                return std::nullopt;
         }
         if (!row || !number) {
             ++others;
@@ -142,6 +154,18 @@ bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& ce
     return number;
 }
 
+void refuse_units_in_cells(const NumberTable& table, const std::string& name) {
+    std::vector<std::string_view> cells;
+    for (const Line& line : table.lines)
+        for (const char separator : {';', '\t', '|', ','}) {
+            split_row(line.text, separator, cells);
+            if (cells.size() < 2 || !std::all_of(cells.begin(), cells.end(), has_unit)) continue;
+            refuse_line(
+                name, line.number,
+                {shown_cell(cells[0]), " has its unit in the cell; must be a number, with the unit above the column"});
+        }
+}
+
 void find_words(NumberTable& table) {
     const auto [plain, interrupted] = plain_rows(table);
     if (plain > 0 && !interrupted) return;
@@ -183,16 +207,22 @@ void drop_footer(NumberTable& table) {
                 if (first[c].empty() && !is_number(cells[c])) cells[c] = {};
         return is_row_of(table, cells);
     };
-    std::size_t end = table.lines.size();
-    for (; end > table.first; --end) {
-        const std::string_view line = table.lines[end - 1].text;
+    constexpr std::size_t few = 4;  // rows of a table of results below the rows, after a blank line
+    std::size_t end = table.lines.size(), below = 0;
+    for (std::size_t i = end; i-- > table.first;) {
+        const std::string_view line = table.lines[i].text;
         if (is_comment(line)) continue;
         split_row(without_comment(line), table.dialect.separator, cells);
         const bool result = !table.words.empty() && std::any_of(cells.begin(), cells.end(), is_result_word);
-        if (!result && is_row()) break;
+        if (!result && is_row()) {
+            if (++below > few) break;
+            continue;
+        }
         const auto filled = std::find_if(cells.begin(), cells.end(), [](auto cell) { return !cell.empty(); });
         const bool lone = cells.size() == 1 && first.size() > 1 && !is_number(cells[0]);  // "240 points"
         if (filled == cells.end() || (begins_with_number(*filled) && !lone)) return;
+        const bool apart = i > table.first && table.lines[i].number > table.lines[i - 1].number + 1;
+        if (below == 0 || apart) end = i, below = 0;
     }
     // comments next to the rows stay
     while (end < table.lines.size() && is_comment(table.lines[end].text)) ++end;

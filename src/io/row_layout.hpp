@@ -24,6 +24,9 @@ bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& ce
 /// Finds the columns of words of \p table, where its lines are no rows of numbers alone, and its first row.
 void find_words(NumberTable& table);
 
+/// Refuses a table without rows of numbers whose cells are numbers with their units.
+void refuse_units_in_cells(const NumberTable& table, const std::string& name);
+
 /// Moves the lines after the last row to NumberTable::footer.
 void drop_footer(NumberTable& table);
 

@@ -84,15 +84,19 @@ TEST_CASE("A word among the numbers of a column is refused, since it may mark a 
 
 TEST_CASE("What may be a number is no word") {
     check({
-        {"units in the cells", titles + rows("{x} um;{z} um\n"), refused("\"")},
+        {"units in the cells", titles + rows("{x} um;{z} um\n"),
+         refused("line 2: \"0.0 um\" has its unit in the cell")},
+        {"between commas", "x,z\n" + rows("{x} um,{z} um\n"), refused("line 2: \"0.0 um\" has its unit in the cell")},
+        {"faces of a mesh", rows("f {i} 2 3\n"), refused("\"f 0 2 3\""), {.units = "um"}},
         {"a unit in one cell", titles + rows("{x} um;{z}\n"), refused("\"")},
         {"blanks between thousands", titles + rows("{i};1 07{i},0\n"), refused("thousands")},
     });
 }
 
 TEST_CASE("Lines after the rows are no rows") {
-    for (const std::string end : {"EOF\n", "Ra;0.48\nRq;0.61\n", "Mean;;1.2\n", "\n[End]\n", "**end cloud\n",
-                                  "20 points\n", "-----\nRa = 0.4 um\n", "\x1A", "\r\n\x1A\x1A\n", "# done\nEND\n"}) {
+    for (const std::string end :
+         {"EOF\n", "Ra;0.48\nRq;0.61\n", "Mean;;1.2\n", "\n[End]\n", "**end cloud\n", "20 points\n",
+          "\nRa [um];Rq [um]\n0.48;0.61\n", "-----\nRa = 0.4 um\n", "\x1A", "\r\n\x1A\x1A\n", "# done\nEND\n"}) {
         CAPTURE(end);
         check({{"footer", plain + end, um()}});
     }
