@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/map_text.hpp"
 
+#include "io/map_steps.hpp"
 #include "io/matrix_unit.hpp"
 #include "io/readers.hpp"
 #include "io/thousands.hpp"
@@ -187,8 +188,7 @@ private:
             unit = unit_factor(heights.unit, Dimension::length) * factor_of_heights(entries_, options_, name_, record_);
         } else
             unit = value_unit();
-        return {spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns),
-                spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows), unit};
+        return {steps().x(columns), steps().y(rows), unit};
     }
 
     /// The units of x, y and the heights by the entries of the header, where it states all.
@@ -223,8 +223,8 @@ private:
             refuse_file(name_, {"is a matrix of ", columns, " x ", rows, " points; must have at least 2 a side"});
         check_count("columns", stated_.columns, stated_.columns_line, columns);
         check_count("rows", stated_.rows, stated_.rows_line, rows);
-        map.dx = spacing("dx", "width", options_.dx, options_.width, stated_.dx, stated_.width, columns);
-        map.dy = spacing("dy", "height", options_.dy, options_.height, stated_.dy, stated_.height, rows);
+        map.dx = steps().x(columns);
+        map.dy = steps().y(rows);
         const double unit = value_unit();
         LoneWhole whole;
         for (const std::size_t c : used_columns()) whole.add(table_.wholes[c]);
@@ -276,17 +276,6 @@ private:
         if (!slot) slot = StatedGrid::Length{.value = step, .line = axes_->line, .from = from};
     }
 
-    /// Warns where the step \p value of the option is another than the \p stated length over \p points.
-    void warn_of_step(const std::string& option, double given, double value,
-                      const std::optional<StatedGrid::Length>& stated, double points) {
-        if (!stated || std::abs(stated->value / points - value) <= 0.01 * value) return;
-        const std::string length = number_text(stated->value) + " m";
-        record_.warnings.push_back(
-            contradiction(options_.names, option, number_text(given) + " m",
-                          stated->from.empty() ? "line " + std::to_string(stated->line) + ", which states " + length
-                                               : stated->from + ", " + length));
-    }
-
     /// Lengths of the header keep their own units, whatever the options are.
     void warn_of_lengths() {
         for (const auto* length : {&stated_.width, &stated_.height, &stated_.dx, &stated_.dy})
@@ -306,49 +295,15 @@ private:
             refuse_line(name_, line, {"states ", *stated, " ", what, " where there are ", there, "; must agree"});
     }
 
-    double spacing(const std::string& step, const std::string& whole, const std::optional<double>& given_step,
-                   const std::optional<double>& given_whole, const std::optional<StatedGrid::Length>& stated_step,
-                   const std::optional<StatedGrid::Length>& stated_whole, std::size_t count) {
-        const auto points = static_cast<double>(count);
-        const auto note = [&](const std::string& from) {
-            notes_.size_from += (notes_.size_from.empty() ? "" : ", ") + from;
-        };
-        if (given_step && given_whole)
-            refuse_file(name_, {step, " and ", whole, " are both given; must be one of them"});
-        if (given_step || given_whole) {
-            fstiff::detail::located({.file = name_}, [&] {
-                fstiff::detail::require_positive(given_step ? step : whole, *(given_step ? given_step : given_whole));
-            });
-            note((given_step ? step : whole) + " of the options");
-            const double value = given_step ? *given_step : *given_whole / points;
-            warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_step, 1);
-            if (!stated_step)
-                warn_of_step(given_step ? step : whole, given_step ? value : *given_whole, value, stated_whole, points);
-            return value;
-        }
-        if (stated_step) {
-            // also with points - 1 steps, which some programs take for the width
-            if (stated_whole && std::abs(stated_whole->value - stated_step->value * (points - 0.5)) >
-                                    0.51 * stated_step->value + 0.01 * stated_whole->value)
-                refuse_line(name_, stated_whole->line,
-                            {"states a ", whole, " that disagrees with the spacing of line ", stated_step->line,
-                             "; must agree, or ", step, " be given"});
-            note(stated_step->from.empty() ? step + " of line " + std::to_string(stated_step->line)
-                                           : stated_step->from);
-            return stated_step->value;
-        }
-        if (stated_whole) {
-            note(whole + " of line " + std::to_string(stated_whole->line) + stated_whole->unit_from);
-            return stated_whole->value / points;
-        }
-        if (!stated_.without_unit.empty())
-            refuse_line(
-                name_, stated_.without_unit_line,
-                {shown_cell(stated_.without_unit), " has no unit; must be ",
-                 given_as(options_.names, "units", units_text()), " (lengths, heights), or dx and dy be given"});
-        refuse_file(name_, {triples_ ? "counts pixels, of which it" : "is a matrix that", " states no ", step,
-                            " and no ", whole, "; must be ", given_steps(options_.names),
-                            " (between points) or width and height (of the map)"});
+    /// The steps of a matrix, or of pixels, by the options and the header.
+    MapSteps steps() {
+        return {.options = options_,
+                .stated = stated_,
+                .name = name_,
+                .units = units_text(),
+                .subject = triples_ ? "counts pixels, of which it" : "is a matrix that",
+                .from = notes_.size_from,
+                .warnings = record_.warnings};
     }
 
     /// How messages call the units that are to be given: that of the heights by its name where the header states it.

@@ -33,6 +33,11 @@ void check_options(SurfaceFormat format, const SurfaceOptions& options, const st
                                "; must not be given, or ", options.names.format, " must be another"});
 }
 
+/// Whether the line above the rows of \p table has a unit for each of its \p columns.
+bool has_units_above(const NumberTable& table, std::size_t columns) {
+    return table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
+}
+
 /// The form of a text, and why.
 std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::string& name,
                                                 const SurfaceOptions& options) {
@@ -86,10 +91,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
                       as("triples") + " or " + as("matrix"));
         return {SurfaceFormat::triples, reader.triples_from()};
     }
-    const NumberTable& opened = reader.opened();
-    const bool titled =
-        opened.first > 0 && !units_in(opened.lines[opened.first - 1].text, written, opened.dialect.separator).empty();
-    if (titled && !sized)
+    if (has_units_above(reader.opened(), written) && !sized)
         ambiguous(" with a unit above each: may be columns of a profile or a matrix",
                   as("profile") + " with column, or " + as("matrix"));
     reader.require_no_lone_axis(options.names);
