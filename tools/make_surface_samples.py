@@ -253,7 +253,7 @@ def mat_profile():
 
 
 def mesh(line):
-    """Places of 0.5 and 0.25 um, and the triangles of the cells, by \p line of a place, a height and of three places."""
+    r"""Places of 0.5 and 0.25 um, and the triangles of the cells, by \p line of a place, a height and of three places."""
     places = [line((column / 2, row / 4), z) for (row, column), z in zip(POINTS, heights(float("nan")))]
     cells = [row * COLUMNS + column for row, column in POINTS if row + 1 < ROWS and column + 1 < COLUMNS]
     corners = [corner for at in cells for corner in ((at, at + 1, at + COLUMNS), (at + 1, at + COLUMNS + 1, at + COLUMNS))]

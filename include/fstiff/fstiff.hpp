@@ -170,6 +170,7 @@
 #include <fstiff/measure/uncertain_sum.hpp>
 #include <fstiff/measure/uncertain_surface.hpp>
 #include <fstiff/measure/unmeasured_waves.hpp>
+#include <fstiff/identify/barton_bandis.hpp>
 #include <fstiff/identify/concerns.hpp>
 #include <fstiff/identify/fit_problem.hpp>
 #include <fstiff/identify/identify.hpp>

@@ -93,6 +93,7 @@ def identify(
     *,
     law: str | None = None,
     wave: Literal["longitudinal", "shear"] = "longitudinal",
+    barton_bandis: bool = False,
     surface: Face = None,
 ) -> Identification:
     """Parameters of a scene from a measured stiffness or reflection against pressure, as `fstiff identify` fits them.
@@ -102,9 +103,10 @@ def identify(
     fit        names of parameters, such as ["sigma", "Dp"] or, of hybrid, ["sigma", "g"]; the others keep their values
     law        law to fit; by default contact.laws; without it plastic if the peaks yield, else hybrid
     wave       the kind of wave whose reflections were measured
+    barton_bandis   fits K_n0 and V_m of a rock joint too: the key "barton_bandis" of the result
     """
     made = scene_of(scene, surface)
-    own: dict[str, Any] = {"fit": words(fit, "fit"), "law": law, "wave": wave}
+    own: dict[str, Any] = {"fit": words(fit, "fit"), "law": law, "wave": wave, "barton_bandis": barton_bandis or None}
     if isinstance(measured, (str, os.PathLike)):
         return Identification(_core.identify(made._core, options_of({**own, "measured": named(measured, "measured")}), None))
     return Identification(_core.identify(made._core, options_of(own), _curve(measured)))

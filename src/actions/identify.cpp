@@ -333,6 +333,13 @@ Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& requ
     require_distinct_points(identified.curve);
     identified.found = identify(scene, identified.curve,
                                 {identified.wanted, request.law, request.wave == WaveKind::shear, request.prefix});
+    if (!request.barton_bandis) return identified;
+    identified.hyperbola = hyperbola_of(identified.curve, request);
+    const double chi_squared = identified.hyperbola->chi_squared, freedom = identified.hyperbola->degrees_of_freedom;
+    if (identified.hyperbola->errors_known && chi_squared > freedom + 3 * std::sqrt(2 * freedom))
+        identified.found.warnings.push_back(
+            "Barton-Bandis: chi^2/dof = " + document::rounded(chi_squared / freedom, 3) +
+            ": the hyperbola does not describe the data within their errors");
     return identified;
 }
 
@@ -344,6 +351,7 @@ document::Document document_of(const scene::Scene& scene, const Identified& iden
         Json& fits = to["fits"] = Json::array();
         for (const Fit& fit : identified.found.fits) fits.push_back(fit_json(problem, identified, fit));
     });
+    if (identified.hyperbola) add_hyperbola(document, *identified.hyperbola);
     document.line();
     document.warnings = identified.found.warnings;
     document.doubtful = identified.found.doubtful;

@@ -7,6 +7,7 @@
 #include "scene/scene.hpp"
 #include "surface/surface_option_table.hpp"
 
+#include <fstiff/identify/barton_bandis.hpp>
 #include <fstiff/identify/concerns.hpp>
 #include <fstiff/identify/identify.hpp>
 
@@ -34,7 +35,8 @@ struct IdentifyRequest {
     std::vector<std::string> fit{};  ///< parameters, by their short names or their keys in a scene
     std::string law{};               ///< alone; empty: the laws that somebody chose, or the one whose K is the answer
     WaveKind wave = WaveKind::longitudinal;
-    std::string_view prefix{};  ///< of the names of options in messages: "--" on a command line
+    bool barton_bandis = false;  ///< its hyperbola is fitted too
+    std::string_view prefix{};   ///< of the names of options in messages: "--" on a command line
 
     template <class Take>
     void each_field(Take take) {
@@ -55,6 +57,8 @@ struct IdentifyRequest {
               .words = fitted_law_names()});
         take("wave", wave,
              {"kind of wave whose reflection coefficients were measured: longitudinal (default) or shear"});
+        take("barton_bandis", barton_bandis,
+             {"fit K_n0 and V_m of rock joints too, by Barton and Bandis: K = K_n0 (1 - p/(V_m K_n0 + p))^-2"});
     }
 };
 
@@ -98,6 +102,7 @@ struct Identified {
     MeasuredCurve curve;
     std::vector<Parameter> wanted;
     Fits found;
+    std::optional<detail::BartonBandis<double>> hyperbola{};
 };
 
 /// The parameters that \p request fits. \throws option_error for a name that is none, or is listed twice.
@@ -106,6 +111,11 @@ struct Identified {
 /// read_measured_curve() and identify().
 [[nodiscard]] Identified identify_scene(const scene::Scene& scene, const IdentifyRequest& request,
                                         std::optional<MeasuredCurve> curve = {});
+/// The hyperbola of Barton and Bandis for the points of \p curve. \throws option_error for reflections and for several
+/// computed curves, domain_error for points that no stiffness has.
+[[nodiscard]] detail::BartonBandis<double> hyperbola_of(const MeasuredCurve& curve, const IdentifyRequest& request);
+/// Adds \p fit to \p document.
+void add_hyperbola(document::Document& document, const detail::BartonBandis<double>& fit);
 /// The document of fstiff identify.
 [[nodiscard]] document::Document document_of(const scene::Scene& scene, const Identified& identified);
 
