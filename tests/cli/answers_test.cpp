@@ -100,9 +100,9 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
     const std::string measured = data + "/example_stiffness.csv";
     const auto found = made_by([&](auto made) {
         return fstiff_identify(scene.c_str(), scene.size(), file.c_str(), nullptr,
-                               ("law = hertz\nfit = sigma,Dp\nmeasured = " + measured).c_str(), made);
+                               ("law = plastic\nfit = sigma,offset\nmeasured = " + measured).c_str(), made);
     });
-    const auto fit = test::run_fstiff("identify '" + file + "' --law hertz --fit sigma,Dp --measured '" + measured +
+    const auto fit = test::run_fstiff("identify '" + file + "' --law plastic --fit sigma,offset --measured '" + measured +
                                       "' --format json");
     CHECK(text_of(found) == fit.out);
     CHECK(numbers_at(found, "fits.0.covariance").size() == 4);

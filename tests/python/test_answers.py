@@ -103,13 +103,13 @@ def test_ultrasound_is_that_of_the_command(command, root):
 
 def test_identification_is_that_of_the_command(command, root):
     scene, file = root / "data/sand_blasted_fine.toml", root / "data/example_stiffness.csv"
-    document = command.json("identify", scene, "--measured", file, "--law", "hertz", "--fit", "sigma,Dp")
-    found = fstiff.identify(scene, file, ["sigma", "Dp"], law="hertz")
+    document = command.json("identify", scene, "--measured", file, "--law", "plastic", "--fit", "sigma,offset")
+    found = fstiff.identify(scene, file, ["sigma", "offset"], law="plastic")
     assert_same(found, document)
     points = document["fits"][0]["rows"]
     keys = {"pressure": "pressure_Pa", "stiffness": "stiffness_Pa_per_m", "error": "error"}
     columns = {key: [row[name] for row in points] for key, name in keys.items() if name in points[0]}
-    of_arrays = fstiff.identify(fstiff.Scene(scene), columns, ["sigma", "peak_density"], law="hertz")
+    of_arrays = fstiff.identify(fstiff.Scene(scene), columns, ["rms_height", "offset"], law="plastic")
     assert plain(of_arrays["fits"][0]["parameters"]) == document["fits"][0]["parameters"]
     assert "sigma" in repr(found)
     one_radius = fstiff.identify(scene, file, ["sigma"], law="greenwood_williamson")  # has no joint peaks

@@ -48,9 +48,9 @@ stiffness_error [GPa/um]. Without --law each law in contact.laws is fitted; if t
 the peaks yield, else hybrid. g is the rms gradient; where it or alpha is fitted, R and Dp follow. Exit
 code 4: the data cannot distinguish the parameters or determine one within a factor of 100, the fit does
 not converge, no law describes the points, a point is an outlier, a parameter is 30 times its starting
-value, or an elastic law is fitted to peaks that yield.)",
-     R"(  printf 'pressure [MPa],stiffness [GPa/um],error [GPa/um]\n1,0.015,0.002\n3,0.042,0.006\n10,0.12,0.02\n' |
-      fstiff identify --measured - --law jackson_green --fit sigma)",
+value, or an elastic law is fitted to peaks that yield. K in the example is that of boundary elements.)",
+     R"(  printf 'pressure [MPa],stiffness [MPa/um],error [MPa/um]\n5,100,10\n30,559,56\n100,1860,186\n' |
+      fstiff identify --measured - --law plastic --fit sigma)",
      add_identify},
     {"truth", "Checks", "Stiffness of a measured map by boundary elements on the map itself",
      R"(The error of K is its difference from a grid half as fine. Exit code 4: it is above a fifth of K, there is
