@@ -6,7 +6,6 @@
 
 #include <fstiff/core/error.hpp>
 #include <fstiff/core/version.hpp>
-#include <fstiff/io/units.hpp>
 
 #include <exception>
 #include <iostream>
@@ -38,14 +37,6 @@ int execute(const Command& command) {
     return report.status;
 }
 
-/// The units of every kind of quantity.
-std::string units() {
-    std::string text = "Units, after a number and in quotation marks, such as \"0.5 um\" or \"0.5 µm\":";
-    for (const auto& [dimension, name] : enum_names<io::Dimension>)
-        text += "\n  " + std::string(name) + std::string(25 - name.size(), ' ') + io::accepted_units(dimension);
-    return text;
-}
-
 constexpr OldName old_names[] = {
     {"fit", "is fstiff measure --show fit, with the same options"},
     {"islands", "is fstiff measure --show islands, with the same options"},
@@ -54,16 +45,20 @@ constexpr OldName old_names[] = {
     {"merge", "is cat part-*.jsonl > all.jsonl, of parts whose names are in the order of their --rows"},
     {"report", "is python -m fstiff report SCENE -o FILE.html, of the Python package"},
     {"reproduce", "is python examples/paper/reproduce.py FOLDER, a program of the source over the Python package"},
+    {"materials", "is fstiff help materials"},
+    {"processes", "is fstiff help processes"},
+    {"units", "is fstiff help units"},
+    {"plot", "is fstiff run SCENE --plot FILE.svg"},
     {"integral", "is a program of its own, example_integral, which a build from source makes"},
 };
 
 int run(std::vector<std::string> words) {
     Program program("fstiff", "fstiff " FSTIFF_VERSION_TEXT,
-                    "Normal contact stiffness of rough surfaces: load, real area and stiffness against pressure.",
-                    units() +
-                        "\nExit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that "
-                        "cannot be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run",
-                    commands(), old_names);
+                    "Normal contact stiffness of rough surfaces against pressure, with a 90 % band.",
+                    "Exit codes: 0 done, 1 internal error, 2 usage, 3 bad input or data, or an output that "
+                    "cannot be written, 4 result\noutside validity or not converged.\nExample:\n  fstiff run --example "
+                    "> joint.toml; fstiff run joint.toml",
+                    commands(), help_topics(), old_names);
     if (const auto command = program.parse(std::move(words))) return execute(*command);
     deliver("", "");  // refuses when the help could not be written
     return success;

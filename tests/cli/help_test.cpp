@@ -2,9 +2,14 @@
 #include "cli/command.hpp"
 #include "support/skip.hpp"
 
+#include <fstiff/asperity/named_materials.hpp>
 #include <fstiff/core/version.hpp>
+#include <fstiff/surface/process_prior.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <map>
+#include <regex>
 
 namespace help_test {
 
@@ -100,7 +105,7 @@ TEST_CASE("help prints what --help prints") {
         CHECK(help.out == test::run_fstiff("--help " + command).out);
         CHECK(help.out == test::run_fstiff("-h " + command).out);
     }
-    CHECK(test::contains(test::run_fstiff("--help").out, "kg/(m^2 s), Rayl, MRayl"));
+    CHECK(test::contains(test::run_fstiff("--help").out, "with a 90 % band"));
 }
 
 TEST_CASE("The list of --help has the commands under what they are for") {
@@ -162,29 +167,80 @@ TEST_CASE("measure prints a table on a terminal, JSON into a pipe and a file, an
     CHECK(test::read(folder / "out.json") == piped);
 }
 
-TEST_CASE("run --example prints a scene that runs, also with all that is commented out in it") {
-    const auto example = test::run_fstiff("run --example");
-    REQUIRE(example.status == 0);
-    const auto run = test::run_fstiff("run - --format csv", example.out);
-    INFO(run.err);
-    CHECK(run.status == 0);
-    CHECK(test::lines(run.out).size() == 1 + 13);
+TEST_CASE("help prints the tables of materials, processes and units, which are those of the library") {
+    const std::string materials = test::run_fstiff("help materials").out;
+    for (const auto& material : fstiff::detail::named_materials) {
+        INFO(material.name);
+        CHECK(test::contains(materials, " " + std::string(material.name) + "  "));
+        CHECK(test::contains(materials, "\n  " + std::string(material.name) + ": "));
+        const std::string names(material.other_names), first = names.substr(0, names.find(' ', 1));
+        CHECK(test::contains(test::as_one_line(materials), first));
+    }
+    // 205 HB of 1.05 HV of 1.0785 * 9.80665 MPa, 1.25 times as hard where it is machined
+    CHECK(std::regex_search(materials, std::regex(" C45 +205 +0.3 +2.8[45]")));
+    CHECK(test::contains(materials, "[K] Kaye"));
+    const std::string processes = test::run_fstiff("help processes").out;
+    for (const auto& process : fstiff::enum_names<fstiff::Process>)
+        CHECK(test::contains(processes, " " + std::string(process.name) + " "));
+    CHECK(test::contains(processes, "0.79 (0.74 to 0.82)"));
+    for (const char* word : {"reamed", "EDM", "shot peened", "scraped", "rolled", "geschliffen"})
+        CHECK(test::contains(processes, word));
+    CHECK(test::contains(test::run_fstiff("help units").out, "kg/(m^2 s), Rayl, MRayl"));
+    CHECK(test::run_fstiff("--help materials").out == materials);
+    for (const std::string topic : {"materials", "processes", "units"}) {
+        for (const std::string& line : test::lines(test::run_fstiff("help " + topic).out)) CHECK(line.size() <= 124);
+        test::check_refused(topic, 2, {topic + ": is fstiff help " + topic});
+        const auto manual = test::run_fstiff("help " + topic + " --man");
+        CHECK(manual.status == 2);
+        CHECK(test::contains(manual.err, "no manual page; fstiff help " + topic));
+    }
+}
 
+TEST_CASE("The options of measure are in groups") {
+    const std::string help = test::run_fstiff("measure --help").out;
+    std::size_t last = 0;
+    for (const char* part :
+         {"\nReading:\n", "\n  --units", "\nCleaning:\n", "\n  --fill", "\nForm, cut-offs:\n", "\n  --detrend",
+          "\n  --lambda-c", "\nEstimates:\n", "\nAnalyses:\n", "\n  --scales", "\nOutput:\n", "\n  --format"}) {
+        INFO(part << "\n" << help);
+        const auto place = help.find(part, last);
+        REQUIRE(place != std::string::npos);
+        last = place;
+    }
+}
+
+TEST_CASE("run --example prints a scene that runs, also with all that is commented out in it") {
     // "#: key = value" goes to the section above it, "#: [section]" begins one
-    std::string all;
-    std::size_t taken = 0;
-    for (const std::string& line : test::lines(example.out))
-        if (line.starts_with("#: "))
-            all += line.substr(3) + "\n", ++taken;
-        else
-            all += line + "\n";
-    CHECK(taken == 12);
-    const auto full =
-        test::run_fstiff("run - --format csv", test::replaced(all, "\"contacts\"]", "\"contacts\", \"reflection\"]"));
-    INFO(full.err);
-    CHECK(full.status == 0);
-    CHECK(test::contains(full.out, "reflection_p05"));
+    const auto with_all = [](const std::string& scene, std::size_t count) {
+        std::string all;
+        std::size_t taken = 0;
+        for (const std::string& line : test::lines(scene)) {
+            const bool optional = line.starts_with("#: ");
+            all += (optional ? line.substr(3) : line) + "\n", taken += optional;
+        }
+        CHECK(taken == count);
+        return all;
+    };
+    const auto run = [](const std::string& scene, const std::string& format) {
+        const auto outcome = test::run_fstiff("run - --format " + format, scene);
+        INFO(outcome.err);
+        CHECK(outcome.status == 0);
+        return outcome.out;
+    };
+    const std::string joint = test::run_fstiff("run --example").out,
+                      paper = test::run_fstiff("run --example paper").out;
+    CHECK(test::run_fstiff("run --example joint").out == joint);
+    // the joint is that of the first page
+    const auto answer = [&](const std::string& scene) { return nlohmann::json::parse(run(scene, "json"))["answer"]; };
+    CHECK(answer(joint) == answer(test::read(FSTIFF_SCENES "/flanged_joint.toml")));
+    CHECK(test::contains(run(with_all(joint, 10), "csv"), "reflection_p05"));
+    CHECK(test::lines(run(paper, "csv")).size() == 1 + 13);
+    CHECK(test::contains(
+        run(test::replaced(with_all(paper, 12), "\"contacts\"]", "\"contacts\", \"reflection\"]"), "csv"),
+        "reflection_p05"));
     test::check_refused("run scene.toml --example", 2, {"--example", "computes nothing"});
+    test::check_refused("run --example papr", 2,
+                        {"--example = \"papr\"", "\"joint\", \"paper\"", "did you mean paper?"});
 }
 
 TEST_CASE("formats lists every form that --input-format takes") {

@@ -89,6 +89,7 @@ TEST_CASE("Every form of an output replaces an earlier output of any command", "
     fill(folder);
     std::vector<std::string> calls{
         "run --example",
+        "run --example paper",
         "generate profile --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um'",
         "generate wm --points 64 --spacing '1 um' --dimension 1.5 --roughness '1 nm'",
         "generate profile --points 64 --spacing '1 um' --hurst 0.7 --rms '1 um' --format sdf",
@@ -134,7 +135,7 @@ TEST_CASE("A file that only looks like an output is kept") {
           std::string("{\n  \"name\": \"fstiff_version\"\n}\n"), std::string("{ \"version\": 1 }\n"),
           std::string("pressure_Pa,stiffness_Pa_per_m\n1e6,1.5e12\n"),
           std::string("parameter,value,error,unit\nrms_height,8e-07,1e-07,m\n"), std::string("pressure,K\n1,2\n"),
-          example + "# my own\n", replaced(example, "my surface", "flange"),
+          example + "# my own\n", replaced(example, "flanged joint", "flange"),
           std::string("{\"index\":0,\"law\":\"hertz\"}\n"),
           std::string("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"mine\"></svg>\n"), std::string("\n"),
           std::string("aISO-1.0\r\nManufacID = other\r\n"), std::string("bISO-1.0Zygo      "),

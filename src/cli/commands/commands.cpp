@@ -7,10 +7,13 @@ namespace {
 
 constexpr CommandRow rows[] = {
     {"run", "Compute", "Stiffness, separation and real area of a scene against pressure",
-     R"(A scene describes the contact; run --example > my.toml writes one to edit. Exit code 4: a real area above
+     R"(A scene describes the contact; run --example > joint.toml writes one to edit. Exit code 4: a real area above
 the nominal one, no convergence, a point that a law does not reach, or a measured parameter that is not
 known to a factor of two.)",
-     "  fstiff run --format csv", add_run},
+     R"(  fstiff run --example > joint.toml
+  fstiff run joint.toml
+  fstiff generate profile --points 8192 --spacing "0.5 um" --hurst 0.8 --rms "1 um" | fstiff run --surface -)",
+     add_run},
     {"sweep", "Compute", "Many scenes: ranges, lists and distributions in one scene file",
      R"(A swept quantity is { from, to, count, spacing }, a list, { values = [...] }, or a distribution such as
 { normal = ["5 um", "0.2 um"] }. Exit code 4: some scenes cannot be computed; their lines give the reason.)",

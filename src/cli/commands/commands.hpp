@@ -7,6 +7,8 @@
 namespace fstiff::cli {
 
 [[nodiscard]] std::span<const CommandRow> commands();
+/// The tables of `fstiff help`: materials, processes and units.
+[[nodiscard]] std::span<const HelpTopic> help_topics();
 
 Command add_run(Arguments& command);
 Command add_sweep(Arguments& command);

@@ -67,7 +67,9 @@ Command add_measure(Arguments& command) {
     add_surface_options(command, measure.input);
     for (const char* key : {"columns", "channels", "peaks", "tip_radius", "resolution", "window"})
         add_surface_option(command, measure.input, key);
+    command.group("Estimates");
     command.fields(measure);
+    command.group("Analyses");
     command.option(
         "--scales", options->scales,
         {"repeat the measurement and K with the cut-offs varied by factors of two, to show their influence"});

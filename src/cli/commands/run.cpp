@@ -6,10 +6,12 @@
 #include "picture/plot.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace fstiff::cli {
 
-extern const char* const example_scene;  // data/example_scene.toml
+extern const char* const example_scene;     // data/example_scene.toml
+extern const char* const example_of_paper;  // data/example_of_paper.toml
 
 namespace run_command {
 namespace {
@@ -17,9 +19,9 @@ namespace {
 struct Options {
     OutputOptions output;
     SceneOptions scene;
-    std::string picture;  ///< file; empty: none
-    bool full = false;    ///< every point and quantity in the table
-    bool example = false;
+    std::string picture;                 ///< file; empty: none
+    bool full = false;                   ///< every point and quantity in the table
+    std::optional<std::string> example;  ///< empty: a joint
 };
 
 /// The results between the points of \p scene; none where it has enough, or no law reaches any.
@@ -37,7 +39,7 @@ Report execute(const Options& options) {
     if (options.example) {
         if (!options.scene.scene.empty() || !options.scene.surface.empty() || !options.picture.empty())
             throw Usage("--example prints a scene and computes nothing; give no scene, --surface or --plot with it");
-        return {example_scene, {}, success};
+        return {*options.example == "paper" ? example_of_paper : example_scene, {}, success};
     }
     keep_for_picture(options.picture, options.output.force);
     const scene::Scene scene = read_scene(options.scene);
@@ -64,7 +66,9 @@ Command add_run(Arguments& command) {
         {.help = "draw K(p) with its band, and the quantities that are asked for, into FILE.svg; the numbers go "
                  "to FILE.plot.csv",
          .type = "FILE"});
-    command.option("--example", options->example, {"print a scene with comments, to begin one of your own"});
+    command.word_or_flag("--example", options->example, {"joint", "paper"},
+                         "print a scene with comments, to begin one of your own: a joint of two ground faces, or the "
+                         "surface of the paper");
     return {&options->output, [options] { return execute(*options); }};
 }
 

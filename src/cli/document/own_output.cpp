@@ -13,8 +13,9 @@
 
 namespace fstiff::cli {
 
-extern const char* const example_scene;  // data/example_scene.toml
-extern const char* const example_grid;   // examples/sweeps/grid.toml
+extern const char* const example_scene;     // data/example_scene.toml
+extern const char* const example_of_paper;  // data/example_of_paper.toml
+extern const char* const example_grid;      // examples/sweeps/grid.toml
 
 namespace {
 
@@ -86,7 +87,7 @@ bool is_row(std::string_view line) {
 }  // namespace
 
 bool is_own_output(std::string_view bytes) {
-    if (bytes == example_scene || bytes == example_grid) return true;
+    if (bytes == example_scene || bytes == example_of_paper || bytes == example_grid) return true;
     std::string_view rest = bytes;
     const std::string_view line = take_line(rest);
     for (const char* maker : {"fstiff ", "# fstiff ", "** fstiff ", "% fstiff ", "# made by fstiff "})

@@ -140,13 +140,28 @@ void Arguments::add(const std::string& name, const request::Field& field, const 
     for (const std::string_view word : target.words.empty() ? field.words : target.words)
         words += (words.empty() ? "" : ",") + std::string(word);
     option->type_name(type + (words.empty() ? "" : ":{" + words + "}"));
-    option->required(field.required);
+    option->required(field.required)->group(group_);
     if (field.shows_default) option->default_str(target.initial);
 }
 void Arguments::flag(const std::string& name, bool& to, const std::string& help) {
     app_->add_flag_function(
             name, [&to, name](std::int64_t) { to = true; }, help)
-        ->disable_flag_override();
+        ->disable_flag_override()
+        ->group(group_);
+}
+
+void Arguments::word_or_flag(const std::string& name, std::optional<std::string>& to,
+                             const std::vector<std::string>& words, const std::string& help) {
+    std::string type;
+    for (const std::string& word : words) type += (type.empty() ? "NAME:{" : ",") + word;
+    const auto take = [&to, name, words](const std::string& word) {
+        if (!word.empty() && std::find(words.begin(), words.end(), word) == words.end())
+            throw CLI::ValidationError(
+                name + " = \"" + word + "\": must be one of " +
+                document::list_and_suggestion(word, std::vector<std::string_view>(words.begin(), words.end())));
+        to = word;
+    };
+    app_->add_option_function<std::string>(name, take, help)->expected(0, 1)->type_name(type + "}")->group(group_);
 }
 
 namespace {
@@ -165,12 +180,28 @@ std::vector<std::string> given_texts(const CLI::App& command) {
 
 }  // namespace
 
+namespace {
+
+/// The help with one blank line between groups, where CLI11 has two.
+struct OneBlankLine : CLI::Formatter {
+    std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+        std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+        for (std::size_t at = 0; (at = help.find("\n\n\n", at)) != help.npos;) help.erase(at, 1);
+        return help;
+    }
+};
+
+}  // namespace
+
 Program::Program(const std::string& name, const std::string& version, const std::string& description,
-                 const std::string& footer, std::span<const CommandRow> commands, std::span<const OldName> old_names)
+                 const std::string& footer, std::span<const CommandRow> commands, std::span<const HelpTopic> topics,
+                 std::span<const OldName> old_names)
     : app_(std::make_unique<CLI::App>(description, name)),
       version_(version),
       commands_(commands),
+      topics_(topics),
       old_names_(old_names) {
+    app_->formatter(std::make_shared<OneBlankLine>());
     app_->set_version_flag("-V,--version", version);
     app_->require_subcommand(1);
     app_->footer(footer);
@@ -222,10 +253,16 @@ struct Program::Help {
 void Program::add_help() {
     help_ = std::make_unique<Help>();
     Help& help = *help_;
-    help.app = app_->add_subcommand("help", "The options of a command, as its --help prints them; manual pages");
+    std::string names, listed;
+    for (const HelpTopic& topic : topics_) {
+        names += (names.empty() ? "" : ",") + std::string(topic.name);
+        listed += (listed.empty() ? "" : ", ") + std::string(topic.name);
+    }
+    help.app = app_->add_subcommand(
+        "help", "The options of a command, as its --help prints them; " + listed + "; manual pages");
     help.app->group("Help");
-    help.app->add_option("command", help.command, "name of a command; without it the commands are listed")
-        ->type_name("NAME");
+    help.app->add_option("command", help.command, "name of a command or of a table; without it the commands are listed")
+        ->type_name("NAME:{" + names + "}");
     CLI::Option* const man =
         help.app->add_flag("--man", help.man, "print the manual page, for man -l -, instead of the options");
     help.app
@@ -234,7 +271,7 @@ void Program::add_help() {
         ->check(CLI::IsMember({"bash"}))
         ->type_name("SHELL")
         ->excludes(man);
-    help.app->footer("Example:\n  fstiff help run");
+    help.app->footer("Example:\n  fstiff help run\n  fstiff help materials");
 }
 
 void Program::print_help() {
@@ -249,13 +286,19 @@ void Program::print_help() {
     if (!help_->shell.empty()) {
         std::cout << bash_completion;
     } else if (!word.empty()) {
+        for (const HelpTopic& topic : topics_)
+            if (word == topic.name)
+                throw Usage(word + ": has no manual page; fstiff help " + word + " prints the table");
         const auto kept = word == "help" ? std::optional<Command>() : add_options(word);
         std::cout << manual_page(page_of(word), version_, app_->get_subcommand(word)->help(name), {name});
     } else {
         std::vector<std::string> pages = command_names(*app_);
         for (std::string& page : pages) page = page_of(page);
         // not app_->help(), which is that of the command help
-        const std::string help = app_->get_formatter()->make_help(app_.get(), name, CLI::AppFormatMode::Normal);
+        std::string help = app_->get_formatter()->make_help(app_.get(), name, CLI::AppFormatMode::Normal);
+        const std::size_t end = help.find("Exit codes:");
+        for (const HelpTopic& topic : topics_)
+            if (topic.in_manual && end != help.npos) help.insert(end, topic.text());
         std::cout << manual_page(name, version_, help, pages);
     }
 }
@@ -267,6 +310,11 @@ std::optional<Command> Program::parse(std::vector<std::string> words) {
     if (words.size() > 1 && (words.front() == "--help" || words.front() == "-h")) words.front() = "help";
     const bool is_help = words.front() == "help";
     join(words, is_help ? 1 : 0);
+    for (const HelpTopic& topic : topics_)
+        if (is_help && words.size() == 2 && words.back() == topic.name) {
+            std::cout << topic.text();
+            return std::nullopt;
+        }
     if (is_help && (words.size() == 1 || (words.size() == 2 && !words.back().starts_with("-")))) {
         words.erase(words.begin());
         words.emplace_back("--help");

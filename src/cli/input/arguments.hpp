@@ -48,6 +48,11 @@ public:
             option((field.positional ? "" : "--") + surface::with_dashes(key), to, field);
         });
     }
+    /// The option \p name with one of \p words, or with none, where \p to is empty; not there: \p to has no value.
+    void word_or_flag(const std::string& name, std::optional<std::string>& to, const std::vector<std::string>& words,
+                      const std::string& help);
+    /// The heading of the options that are added from now on; those before have that of CLI11.
+    void group(std::string_view heading) { group_ = heading; }
     /// Where the value of an option goes. One function for each type, not for each option, keeps the program small.
     struct Target {
         const char* kind;                     ///< how the help calls the value, unless the field has a name for it
@@ -93,6 +98,7 @@ private:
     void flag(const std::string& name, bool& to, const std::string& help);
 
     CLI::App* app_;
+    std::string group_ = "Options";
 };
 
 /// What a command does once its options are parsed, and where its document goes.
@@ -110,6 +116,12 @@ struct CommandRow {
     const char *notes, *example;  ///< below its options
     Command (*add)(Arguments&);   ///< adds its options
 };
+/// A table that `help` prints.
+struct HelpTopic {
+    const char* name;
+    std::string (*text)();
+    bool in_manual;  ///< in the manual page of the program too
+};
 /// A name of former times, and the sentence that gives the call which took its place.
 struct OldName {
     std::string_view name, now;
@@ -119,7 +131,8 @@ struct OldName {
 class Program {
 public:
     Program(const std::string& name, const std::string& version, const std::string& description,
-            const std::string& footer, std::span<const CommandRow> commands, std::span<const OldName> old_names);
+            const std::string& footer, std::span<const CommandRow> commands, std::span<const HelpTopic> topics,
+            std::span<const OldName> old_names);
     ~Program();
     /// The command that was asked for; none after --help, help, no argument at all (the help too), --version, -V and
     /// version, which print.
@@ -141,6 +154,7 @@ private:
     std::unique_ptr<Help> help_;
     std::string version_;
     std::span<const CommandRow> commands_;
+    std::span<const HelpTopic> topics_;
     std::span<const OldName> old_names_;
 };
 
