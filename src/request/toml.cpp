@@ -169,7 +169,10 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
         throw domain_error(file + ": has " + std::to_string(text.size()) + " bytes or more; must be at most 1 MiB");
     const auto refuse = [&](std::size_t line, const std::string& reason) {
         return domain_error(file + ":" + std::to_string(line) + ": is not valid TOML: " + reason +
-                            hint_of_line(text, line));
+                            hint_of_line(text, line) +
+                            (reason.ends_with("expected '=', saw ':'")
+                                 ? "; write key = value, below a line with the section, such as [surface]"
+                                 : ""));
     };
     if (text.find('\0') != std::string::npos)
         throw domain_error(file + ": is binary, or UTF-16 (it holds NUL bytes); must be TOML, a text in UTF-8");

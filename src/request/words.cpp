@@ -90,8 +90,9 @@ constexpr Row outside[] = {
     {"friction is a section of its own, [friction] with coefficient (docs/friction.md)", "friction,mu,Reibung"},
     {"the model has no adhesion, which soft and very smooth bodies have (docs/trust.md)",
      "adhesion,adhesive,surface_energy,JKR,DMT"},
-    {"the model has flat faces, so that K of wavy or tilted ones is less; measure the face over the whole contact "
-     "(docs/trust.md)",
+    {"faces that are not flat are contact.flatness, the height of the gap between both in touch, or contact.form, a "
+     "map "
+     "of it (docs/bolted-joint.md)",
      "waviness,flatness,misalignment,tilt,Welligkeit,Ebenheit"},
     {"the model has no time: neither creep nor viscosity (docs/trust.md)",
      "creep,viscoelastic,viscoelasticity,relaxation,time,rate,strain_rate"},
@@ -104,6 +105,15 @@ constexpr Row outside[] = {
      "thickness,plate,Dicke"},
     {"a grade of ISO 1302 or a class of VDI 3400 is written as Ra = \"N6\" or Ra = \"VDI 24\" (docs/inputs.md)",
      "vdi,N,grade,roughness_grade,iso_grade,roughness_class,Rauheitsklasse"},
+};
+
+/// Keys that some write above the first section, and the section that takes them.
+constexpr Row sections[] = {
+    {"surface",
+     "Ra,Rq,Sa,Sq,Rz,RSm,Rdq,Sdq,rms_height,mean_height,rms_gradient,process,peak_radius,peak_density,hurst,alpha"},
+    {"contact", "pressures,pressure,force,nominal_area,washer,bolt,flatness,form,ball_radius,separations,laws"},
+    {"material", "upper,lower"},
+    {"material.upper", "youngs_modulus,poisson_ratio,hardness,yield_strength"},
 };
 
 bool has_word(std::string_view words, std::string_view word) {
@@ -148,6 +158,9 @@ std::string_view outside_of_model(std::string_view key) {
 
 std::string unknown_key(std::string_view wrong, std::string_view path, std::span<const std::string_view> valid) {
     const std::string_view meant = meant_key(wrong, valid), outside = outside_of_model(wrong);
+    for (const Row& row : sections)
+        if (path.empty() && has_word(row.words, wrong) && std::count(valid.begin(), valid.end(), "surface") > 0)
+            return "is a key of a section; write it below a line [" + std::string(row.meaning) + "]";
     if (meant.empty() && !outside.empty()) return "unknown key; " + std::string(outside);
     return "unknown key" + (meant.empty() ? "" : " (did you mean " + std::string(meant) + "?)") + "; valid keys" +
            (path.empty() ? "" : " of " + std::string(path)) + " are " + document::list_of(valid);
@@ -159,7 +172,8 @@ std::string unknown_material(std::string_view name, std::string_view other) {
         return "is not a known material; did you mean " + document::list_of(near) + "? Or give " + std::string(other);
     std::vector<std::string_view> names;
     for (const NamedMaterial& material : detail::named_materials) names.push_back(material.name);
-    return "must be one of " + document::list_and_suggestion(name, names) + ", or " + std::string(other);
+    return "is not a known material" + document::suggestion(name, {names.begin(), names.end()}) +
+           "; fstiff help materials lists those; give one of them, or " + std::string(other);
 }
 
 std::optional<double> mean_height_of_grade(std::string_view text) {

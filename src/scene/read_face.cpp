@@ -160,9 +160,10 @@ Process read_process(Source& source, const toml::node& node, const std::string& 
     const auto* text = node.as_string();
     const auto process = text ? detail::find_process(text->get()) : std::nullopt;
     if (!process)
-        source.refuse(node, key,
-                      "must be one of " + document::list_of(detail::choices<Process>()) +
-                          ", or another word for one of these; any other process is \"unknown\"");
+        source.refuse(
+            node, key,
+            "must be one of " + document::list_of(detail::choices<Process>()) +
+                ", or another word for one of these (fstiff help processes); any other process is \"unknown\"");
     const std::string word = text->get(), name(name_of(*process));
     source.record(key, word == name ? word : word + " (" + name + ")");
     if (*process == Process::unknown && word != name)

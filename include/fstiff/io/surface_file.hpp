@@ -5,9 +5,10 @@
 ///
 /// First bytes identify surface data files (SDF), X3P, NumPy, MATLAB, Gwyddion, Digital Surf, Surfer, profiles of ISO
 /// 5436-2, maps of Zygo, Keyence, Wyko, Alicona and Sensofar, and meshes (PLY, OBJ). The columns of the first row
-/// identify text: 1 or 2 a profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix unless
-/// titles or SurfaceOptions::column name columns of a profile. SurfaceOptions::grid puts points and meshes on a grid.
-/// An ambiguous file is refused with the option `format` that decides. Rules of text and of each form: docs/formats.md.
+/// identify text: 1 or 2 a profile, 3 triples x, y, z on a grid, else a matrix of stated size, 4 or more a matrix
+/// unless titles or SurfaceOptions::column name columns of a profile. SurfaceOptions::grid puts points and meshes on a
+/// grid. An ambiguous file is refused with the option `format` that decides. Rules of text and of each form:
+/// docs/formats.md.
 ///
 /// Units       profile and map in m; SurfaceOptions::units are those of the file
 /// Valid       profiles of at least 16 points, maps of at least 2 points a side, heights that vary; files up to 2^31
