@@ -250,7 +250,8 @@ MeasuredCurve curve_of_numbers(std::span<const double> pressures, std::span<cons
     };
     if (!has_length(pressures, curve.has_pressures) || !has_length(errors, curve.has_errors) ||
         !has_length(frequencies, curve.has_frequencies))
-        throw domain_error(name + ": pressures, values and errors must have the same length, and so must frequencies");
+        throw domain_error(name + ": pressures, values and errors must have the same length" +
+                           (curve.has_frequencies ? ", and so must frequencies" : ""));
     std::string bytes;
     for (const auto& list : {pressures, values, errors, frequencies})
         bytes.append(reinterpret_cast<const char*>(list.data()), list.size_bytes());

@@ -111,7 +111,7 @@ constexpr Row outside[] = {
 constexpr Row sections[] = {
     {"surface",
      "Ra,Rq,Sa,Sq,Rz,RSm,Rdq,Sdq,rms_height,mean_height,rms_gradient,process,peak_radius,peak_density,hurst,alpha"},
-    {"contact", "pressures,pressure,force,nominal_area,washer,bolt,flatness,form,ball_radius,separations,laws"},
+    {"contact", "pressures,pressure,force,nominal_area,washer,flatness,form,ball_radius,separations,laws"},
     {"material", "upper,lower"},
     {"material.upper", "youngs_modulus,poisson_ratio,hardness,yield_strength"},
 };

@@ -114,7 +114,7 @@ def folder(tmp_path, monkeypatch):
 
 
 def test_the_document_shows_what_comes_out(root, folder):
-    (folder / "scene.toml").write_text((root / "data" / "example_scene.toml").read_text())
+    (folder / "scene.toml").write_text((root / "data" / "example_of_paper.toml").read_text())
     check_document(root / "docs" / "python.md")
 
 

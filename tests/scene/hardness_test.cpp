@@ -125,7 +125,7 @@ TEST_CASE("An unknown material is refused with the names next to it") {
     const std::string said = test::refused_scene(on("\"aluminium 6061 T651\""));
     CHECK(contains(said, "\"6061\""));
     CHECK(contains(said, "youngs_modulus"));
-    CHECK(contains(test::refused_scene(on("\"wood\"")), "must be one of"));
+    CHECK(contains(test::refused_scene(on("\"wood\"")), "is not a known material; fstiff help materials"));
 }
 
 TEST_CASE("A body that never yields is elastic, and so is rubber") {

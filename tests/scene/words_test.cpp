@@ -156,6 +156,13 @@ TEST_CASE("One pressure, or the key pressure, is a list of one") {
         test::contains(refused(scene(face, "pressure = \"1 MPa\"\npressures = \"1 MPa\"")), "must not be given with"));
 }
 
+TEST_CASE("A key above all sections is refused with the section that takes it") {
+    for (const auto& [key, section] : {std::pair("Ra", "surface"), std::pair("pressures", "contact"),
+                                       std::pair("hardness", "material.upper"), std::pair("upper", "material")})
+        CHECK(test::contains(refused(std::string(key) + " = \"1 um\"\n" + scene(face)),
+                             std::string(key) + ": is a key of a section; write it below a line [" + section + "]"));
+}
+
 TEST_CASE("A material by another name proposes the right one") {
     for (const auto& [name, near] :
          {std::pair("AlMgSi1", "6082"), std::pair("MgAZ31", "AZ31B"), std::pair("Stahl", "steel"),
@@ -167,7 +174,7 @@ TEST_CASE("A material by another name proposes the right one") {
             "is not a known material; did you mean \"" + std::string(near) + "\"? Or give a section"));
     }
     CHECK(test::contains(refused(scene(face, "pressure = \"1 MPa\"", "[material]\nupper = \"stel\"")),
-                         "(did you mean steel?), or a section with youngs_modulus"));
+                         "is not a known material (did you mean steel?); fstiff help materials lists those"));
 }
 
 TEST_CASE("A key of a body next to its name is shown where it belongs") {
