@@ -204,7 +204,7 @@ def face_tables(rows):
 
 
 def pressures_of(size, hardness):
-    """p* of one map; p/H where peaks flow."""
+    """p* of one map; p/H where peaks yield."""
     return FLOWED[hardness] if hardness else P_STARS[size]
 
 
@@ -248,7 +248,7 @@ def share_and_width(of):
 
 
 def tables(rows):
-    """The tables of docs/accuracy.md: coverage, and the width at p* = 0.01; and of peaks that flow."""
+    """The tables of docs/accuracy.md: coverage, and the width at p* = 0.01; and of peaks that yield."""
     lines = []
     for half, title in (("unseen", "Other kinds and seeds"), ("calibrated", "Kinds and seeds of the calibration")):
         mine = [row for row in rows if row["half"] == half and float(row["hardness"]) == 0]
@@ -256,7 +256,7 @@ def tables(rows):
         cell = lambda group, word: share_and_width([row for row in mine if row["group"] == group and row["known"] == word])
         groups = list(dict.fromkeys(row["group"] for row in mine))
         lines += [f"{title}:", ""] + table(["class"] + known, [[group] + [cell(group, word) for word in known] for group in groups])
-    lines += ["Peaks that flow, by H/(E g), all classes of both halves:", ""]
+    lines += ["Peaks that yield, by H/(E g), all classes of both halves:", ""]
     mine = [row for row in rows if float(row["hardness"]) > 0]
     known = [word for word in KNOWN if any(row["known"] == word for row in mine)]
     of = lambda half, hardness, word: [row for row in mine if row["half"] == half and row["known"] == word

@@ -266,9 +266,9 @@ def tables_in_air(judge):
         share = [found[-1][1][k] - found[6][1][k] for k in (0, 1)]
         growth.append([finish, f"{measured[-1] / measured[0]:.2f}", f"{sums[-1] / sums[0]:.2f}", f"{measured[-1] - measured[6]:.0f}",
                        *(f"{one:.0f}" for one in share)])
-    return "\n".join(table(["finish", "p [kPa]", "h measured", "h of the gap", "h of the spots", "sum/measured"], lines) +
+    return "\n".join(table(["finish", "p [kPa]", "h measured", "h of the gap", "h of the contacts", "sum/measured"], lines) +
                      table(["finish", "h last/first, measured", "the same, computed", "growth of h from 115 to 226 kPa, measured", "of the gap",
-                            "of the spots"], growth)).rstrip()
+                            "of the contacts"], growth)).rstrip()
 
 
 def branch_of(specimen, branch):

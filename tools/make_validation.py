@@ -166,7 +166,7 @@ def of_maps(rows):
                     [share(of_map, 0.25), share(numbers, 0.15), share(numbers, 0.25)])
     lines += table(["class", "map, seeds 1 and 2", "map, seeds 3 to 5", "map, 25 %", "numbers, 15 %", "numbers, 25 %"], body)
     lines += statistics_alone(rows, groups)
-    lines.append("Where `hybrid` hands over from the summits to the crowded contact was chosen on seeds 1 and 2; seeds 3 to 5 were not looked at.")
+    lines.append("The pressure at which `hybrid` passes from the summits to the dense contact was chosen on seeds 1 and 2; seeds 3 to 5 were not used.")
     return "\n".join(lines)
 
 

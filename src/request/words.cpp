@@ -77,10 +77,10 @@ constexpr Row outside[] = {
     {"a film of liquid adds its stiffness B/d to K of the solids, which fstiff computes (docs/worn-and-lubricated.md)",
      "lubricant,lubrication,lubricated,lubricating,oil,grease,viscosity,liquid,fluid,film,Schmierung,Schmierstoff"},
     {"the model has no layers; give the numbers of the layer as those of the body where it is much thicker than the "
-     "spots of contact are wide, else those of what is below it (docs/trust.md)",
+     "contacts are wide, else those of what is below it (docs/trust.md)",
      "coating,coatings,coated,layer,layers,plating,paint,oxide,Beschichtung"},
     {"a bolt enters by its preload: give contact.force, with contact.bolt, contact.washer or contact.nominal_area "
-     "(docs/finite_elements.md)",
+     "(docs/bolted-joint.md)",
      "bolt,bolts,screw,torque,preload,pretension,clamping,tightening,Schraube,Vorspannkraft,Drehmoment"},
     {"a cylinder is outside of the model, which has flat faces and a ball; export gives the law of the face to a "
      "finite-element model of the cylinder (docs/finite_elements.md)",
@@ -90,9 +90,8 @@ constexpr Row outside[] = {
     {"friction is a section of its own, [friction] with coefficient (docs/friction.md)", "friction,mu,Reibung"},
     {"the model has no adhesion, which soft and very smooth bodies have (docs/trust.md)",
      "adhesion,adhesive,surface_energy,JKR,DMT"},
-    {"faces that are not flat are contact.flatness, the height of the gap between both in touch, or contact.form, a "
-     "map "
-     "of it (docs/bolted-joint.md)",
+    {"faces that are not flat have contact.flatness, or a map of the gap as contact.form; tilt is not in the model "
+     "(docs/bolted-joint.md)",
      "waviness,flatness,misalignment,tilt,Welligkeit,Ebenheit"},
     {"the model has no time: neither creep nor viscosity (docs/trust.md)",
      "creep,viscoelastic,viscoelasticity,relaxation,time,rate,strain_rate"},
@@ -101,7 +100,7 @@ constexpr Row outside[] = {
     {"what fills the gap is the section [gap] (docs/heat-and-current.md)", "gas,air,vacuum,medium,thermal,electrical"},
     {"waves are the section [ultrasound], with frequency (docs/ultrasound.md)",
      "ultrasound,ultrasonic,frequency,impedance,wave,waves"},
-    {"K is that of the interface, without the bodies; add the stiffness of these (docs/finite_elements.md)",
+    {"K is that of the interface, without the bodies; add the stiffness of these (docs/bolted-joint.md)",
      "thickness,plate,Dicke"},
     {"a grade of ISO 1302 or a class of VDI 3400 is written as Ra = \"N6\" or Ra = \"VDI 24\" (docs/inputs.md)",
      "vdi,N,grade,roughness_grade,iso_grade,roughness_class,Rauheitsklasse"},

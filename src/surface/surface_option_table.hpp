@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The table of the options of a measured surface: from its rows come the keys of a scene, the options of the command
-// line, the inputs of JSON documents, the keywords of Python and the table of docs/scene.md.
+// line, the inputs of JSON documents, the keywords of Python and the table of docs/measurement.md.
 
 #include "surface/surface_options.hpp"
 

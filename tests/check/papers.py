@@ -31,7 +31,8 @@ SHARES = {
                   "{skewed} % of skewed ones, {kurtotic} % of kurtotic", "{two} % of two faces, {uneven} % of uneven ones, {plateaus} % of plateaus, {grains} % of grains,"
                   " {worn} % of worn ones |", "| {yielding} %; with skewness and kurtosis {yielding_shape} %; from a short trace {yielding_trace} % |",
                   "| {covered} of the points of {joints} measured metal joints, with a width of {joint_width},",
-                  "{steel} points of ground and lapped steel and iron. Were the faces flat: {flat}."),
+                  "{steel} points of ground and lapped steel and iron. Were the faces flat: {flat}.", "exact derivative in {tangent}.",
+                  "this program costs {linked} times a file with Eigen alone; by itself, with the functions,\n{alone} times"),
     "docs/trust.md": ("on {map} % of the maps of each class of the {others} kinds", "on {faces_map} % of faces as\nprocesses leave them, least on {grains_map} % of fused",
                       "| Gaussian, broad, machined, particles, stretched | {usual} % |", "| skewed | {skewed} % | skewness and kurtosis: {skewed_shape} % |", "| kurtotic | {kurtotic} % | skewness and kurtosis: {kurtotic_shape} % |",
                       "| two faces | {two} % | a map: {two_map} % |", "| grains | {grains} % | a map: {grains_map_both} % |",
@@ -48,7 +49,7 @@ SHARES = {
 
 def figures(root):
     """The figures of ACCURACY, each as its document has it."""
-    accuracy, published, benchmarks = ((root / f"docs/{name}.md").read_text(encoding="utf-8") for name in ("accuracy", "published", "benchmarks"))
+    accuracy, published, benchmarks, linking = ((root / f"docs/{name}.md").read_text(encoding="utf-8") for name in ("accuracy", "published", "benchmarks", "linking-cpp"))
 
     def rows_of(heading):
         rows = re.search(rf"{re.escape(heading)}:\n\n((?:\|.*\n)+)", accuracy)[1].splitlines()
@@ -60,8 +61,9 @@ def figures(root):
         cells = zip(*(re.fullmatch(r"(\d+) %, ([\d.]+)", row[column]).groups() for row in rows), strict=True)
         return [" to ".join(dict.fromkeys(f(cell, key=float) for f in (min, max))) for cell in cells]
 
-    def row(name):
-        return re.search(rf"\| {re.escape(name)}.*\| (?:(\d+) times .*|(.+?)) \| met \|", benchmarks)
+    def figure(document, row):
+        """The first number of a row, with its unit."""
+        return re.search(rf"\| {re.escape(row)} \| ([^|]+?) (?:times [^|]*)?\|", document)[1]
 
     (every,) = re.findall(r"Maps of (\d+) kinds", accuracy)
     (others,) = re.findall(r"on \d+ kinds with seeds \d+ to \d+; the other (\d+) kinds", accuracy)
@@ -69,7 +71,7 @@ def figures(root):
     other_faces = rows_of("Kinds that the bands were not set on")
     (of_faces,) = (row for row in other_faces if row["class"] == "all")
     every_row = held_back + set_on + other_faces + rows_of("Kinds that the bands were set on")
-    yielding = rows_of("Peaks that flow, by H/(E g), all classes of both halves")
+    yielding = rows_of("Peaks that yield, by H/(E g), all classes of both halves")
     (loads, hybrid), = re.findall(r"the band covers all (\d+) loads; `hybrid` ([\d.]+ to [\d.]+)", published)
     groups = {group: cells.split(" | ") for group, cells in re.findall(r"(?m)^\| ([^|]+) \| (\d+ \| \d+ of \d+ \| .*) \|$", published)}
     joints, _, covered, joint_width, _, _, flat, _ = groups["**all but aluminium in air**"]
@@ -90,10 +92,11 @@ def figures(root):
     found["usual"], _ = ends([row for row in held_back + set_on if row["class"] in ("Gaussian", "broad", "machined", "particles", "stretched")], columns[""])
     found["grains_map_both"], (found["grains_map"], _) = found["grains_map"], ends([row for row in other_faces if row["class"] == "grains"], "map")
     found["worn_set"], _ = ends([row for row in set_on if row["class"] == "worn"], "height and gradient")
-    found["integrals"] = row("four integrals, hard grid: largest relative error")[2]
-    found["faster"] = row("than GSL in one dimension")[1]
-    found["contact"] = row("a contact at a pressure, all quantities")[2]
-    found["look_up"] = row("tabulated law, K(p), scalar")[2]
+    found |= {name: figure(benchmarks, row) for name, row in (
+        ("integrals", "four integrals, hard grid: largest relative error, 1e-12 asked for"), ("faster", "faster than GSL in one dimension"),
+        ("contact", "contact: at pressure, all"), ("look_up", "tabulated law, 1e5 to 1e8 Pa: stiffness of pressure, scalar"),
+        ("tangent", "tabulated law, 1e5 to 1e8 Pa: pressure and stiffness of gap, scalar"))}
+    found |= {name: figure(linking, row) for name, row in (("linked", "the README's program with `fstiff::double`"), ("alone", "the same alone, by `fstiff/answer_inline.hpp`"))}
     return found
 
 

@@ -118,6 +118,11 @@ def test_the_document_shows_what_comes_out(root, folder):
     check_document(root / "docs" / "python.md")
 
 
+def test_the_whole_joint_is_what_its_document_shows(root, monkeypatch):
+    monkeypatch.chdir(root)
+    check_document(root / "docs" / "bolted-joint.md", 1)
+
+
 def test_the_programs_of_sweeps_give_what_their_document_shows(root, folder, command):
     """docs/sweep.md: a table of Parquet, the picture and the shares of the inputs."""
     pytest.importorskip("pyarrow")

@@ -301,12 +301,12 @@ TEST_CASE("A surface in place of that of the built-in scene has its bodies, with
     CHECK_THROWS_AS(input_of(of_file, "contact.nominal_area"), std::runtime_error);
 }
 
-TEST_CASE("data/bolted_joint.toml is the joint that docs/finite_elements.md describes") {
+TEST_CASE("data/bolted_joint.toml is the joint that docs/bolted-joint.md describes") {
     const std::string text = test::read(FSTIFF_SCENES "/bolted_joint.toml");
     const auto results = test::results_of(text);
     CHECK(test::relative_error(results.answer.effective_modulus,
                                1 / (compliance(210e9, 0.3) + compliance(110e9, 0.26))) < 1e-14);
-    const std::string docs = test::read(FSTIFF_SCENES "/../docs/finite_elements.md");
+    const std::string docs = test::read(FSTIFF_SCENES "/../docs/bolted-joint.md");
     CHECK(test::contains(docs, text.substr(text.find("[material]"))));
 }
 

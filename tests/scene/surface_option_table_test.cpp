@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every option of a measured surface is a row of one table, and every row is a key of a scene, an option of the command
-// line, an input of JSON documents and a line of docs/scene.md.
+// line, an input of JSON documents and a line of docs/measurement.md.
 #include "surface/surface_option_table.hpp"
 
 #include "cli/command.hpp"
@@ -56,7 +56,7 @@ std::string words() {
     return all;
 }
 
-/// What docs/scene.md calls the value of an option.
+/// What docs/measurement.md calls the value of an option.
 struct Kind {
     const SurfaceOptionRow& row;
 
@@ -157,8 +157,8 @@ TEST_CASE("No two options of a surface have one key, one name on the command lin
     }
 }
 
-TEST_CASE("docs/scene.md has the table of the options of a surface") {
-    std::ifstream file(FSTIFF_SCENES "/../docs/scene.md");
+TEST_CASE("docs/measurement.md has the table of the options of a surface") {
+    std::ifstream file(FSTIFF_SCENES "/../docs/measurement.md");
     REQUIRE(file);
     const std::string text{std::istreambuf_iterator<char>(file), {}}, table = table_of_docs();
     INFO("the table must be\n" << table);
