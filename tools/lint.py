@@ -343,7 +343,7 @@ def unmet(root, codes):
 
 
 def api(root, update=False):
-    """docs/api.md lists what is in namespaces fstiff and fstiff::io by folder, with the first sentence about each."""
+    """docs/api.md lists what is in namespaces fstiff and fstiff::io by header, with the first sentence about each."""
     found, codes, problems = {}, {}, []
     version = dict(re.findall(r"FSTIFF_VERSION_(\w+) (\d+)", read(root / "include/fstiff/core/version.hpp")))
     home = f"fstiff::v{version['MAJOR']}_{version['MINOR']}"
@@ -365,11 +365,10 @@ def api(root, update=False):
     problems += [f"{name} is public, and neither a page nor an example leads to it: put it into detail, or describe it" for name in unmet(root, codes)]
     if len(found) > API_NAMES:
         problems.append(f"namespaces fstiff and fstiff::io have {len(found)} names, more than {API_NAMES}: put what is a step into math or detail")
-    folders = {}
+    headers = {}
     for (header, name), meaning in found.items():
-        folder, _, file = header.removesuffix(".hpp").partition("/")
-        folders.setdefault(folder, []).append(f"| `{name}` | {meaning} | {file} |\n")
-    table = "".join(f"\n### {folder}\n\n| name | what it is | header |\n|---|---|---|\n" + "".join(rows) for folder, rows in folders.items())
+        headers.setdefault(header.removesuffix(".hpp"), []).append(f"`{name}` {meaning}")
+    table = "\n| header | names |\n|---|---|\n" + "".join(f"| {header} | {'<br>'.join(names)} |\n" for header, names in headers.items()) + "\n"
     document = root / "docs/api.md"
     old = read(document)
     new = re.sub(r"(?s)(<!-- api -->\n).*?(?=<!-- /api -->)", lambda mark: mark[1] + table, old)
@@ -377,7 +376,7 @@ def api(root, update=False):
         document.write_text(new, encoding="utf-8", newline="\n")
     elif new != old:
         problems.append("docs/api.md: does not list the public names: run tools/lint.py api --update")
-    print(f"{len(found)} public names in {len(folders)} folders, at most {API_NAMES}")
+    print(f"{len(found)} public names in {len(headers)} headers, at most {API_NAMES}")
     return problems
 
 

@@ -311,13 +311,13 @@ template <class T> inline constexpr T least{1};
 }}  // namespace fstiff
 """
 VERSION = ("include/fstiff/core/version.hpp", "#define FSTIFF_VERSION_MAJOR 1\n#define FSTIFF_VERSION_MINOR 2\n")
-LISTED = ("<!-- api -->\n\n### law\n\n| name | what it is | header |\n|---|---|---|\n| `Law` | A law. | law |\n"
-          "| `load` | Its load. | law |\n| `IsLaw` | Whether it is one. | law |\n| `least` | Least. | law |\n<!-- /api -->\n")
+LISTED = ("<!-- api -->\n\n| header | names |\n|---|---|\n| law/law | `Law` A law.<br>`load` Its load.<br>`IsLaw` Whether it is one.<br>"
+          "`least` Least. |\n\n<!-- /api -->\n")
 LAW = ("docs/api.md", LISTED, "include/fstiff/law/law.hpp")
 PAGE = ("README.md", "`Law`, `load`, `IsLaw<T>`, `least`, `one`\n")
 APIS = [("", *VERSION, *PAGE, *LAW, API),
         ("Law is in fstiff, not in fstiff::v1_2", *VERSION, *PAGE, *LAW, API.replace("inline namespace v1_2 {", "").replace("}}", "}")),
-        ("does not list", *VERSION, *PAGE, "docs/api.md", LISTED.replace("| `IsLaw` | Whether it is one. | law |\n", ""), LAW[2], API),
+        ("does not list", *VERSION, *PAGE, "docs/api.md", LISTED.replace("`IsLaw` Whether it is one.<br>", ""), LAW[2], API),
         ("load is public and has no comment", *VERSION, *PAGE, *LAW, API.replace("/// Its load.\n", "")),
         ("load: its comment begins with the parameter law", *VERSION, *PAGE, *LAW, API.replace("/// Its load", "/// \\p law, pressed")),
         ("load is public, and neither a page", *VERSION, "README.md", "Law IsLaw least\n", *LAW, API),
