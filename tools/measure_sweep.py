@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures `fstiff sweep`: scenes per second, scaling over threads, memory. Prints the tables of docs/benchmarks.md.
+"""Measures `fstiff sweep`: scenes per second, scaling over threads, memory. Prints the tables of bench/README.md.
 
     python3 tools/measure_sweep.py build/release/bin/fstiff [--scenes 300000] [--memory 10000000]
 

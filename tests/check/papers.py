@@ -32,8 +32,8 @@ SHARES = {
                   " {worn} % of worn ones |", "| {yielding} %; with skewness and kurtosis {yielding_shape} %; from a short trace {yielding_trace} % |",
                   "| {covered} of the points of {joints} measured metal joints, with a width of {joint_width},",
                   "{steel} points of ground and lapped steel and iron. Were the faces flat: {flat}.", "exact derivative in {tangent}.",
-                  "this program costs {linked} times a file with Eigen alone; by itself, with the functions,\n{alone} times"),
-    "docs/trust.md": ("on {map} % of the maps of each class of the {others} kinds", "on {faces_map} % of faces as\nprocesses leave them, least on {grains_map} % of fused",
+                  "this program costs {linked} times a file with Eigen alone; by itself, with the functions, {alone} times"),
+    "docs/trust.md": ("on {map} % of the maps of each class of the {others} kinds", "on {faces_map} % of faces as processes leave them, least on {grains_map} % of fused",
                       "| Gaussian, broad, machined, particles, stretched | {usual} % |", "| skewed | {skewed} % | skewness and kurtosis: {skewed_shape} % |", "| kurtotic | {kurtotic} % | skewness and kurtosis: {kurtotic_shape} % |",
                       "| two faces | {two} % | a map: {two_map} % |", "| grains | {grains} % | a map: {grains_map_both} % |",
                       "| plateau with valleys | {plateaus} % | skewness and kurtosis: {plateaus_shape} %; a map: {plateaus_map} % |",
@@ -128,9 +128,9 @@ def of_paper(root, found, update):
 def of_pages(root, found):
     """The pages have the shares of SHARES."""
     for page, phrases in SHARES.items():
-        text = (root / page).read_text(encoding="utf-8")
+        text = " ".join((root / page).read_text(encoding="utf-8").split())
         for phrase in phrases:
-            if (wanted := phrase.format(**found)) not in text:
+            if (wanted := " ".join(phrase.format(**found).split())) not in text:
                 yield f"{page}: does not have what the documents give: {wanted}"
 
 
