@@ -120,7 +120,7 @@ def draw_integrand():
     out = Picture(2 * width + gap + 2 * left, top + height + 136, "The integrand over the curvature t before and after substitution, for three problems", LOOKS)
     part = Axis("", -0.08, 1.08, {}, False)  # of the greatest value
     places = []
-    for k, (title, label, *across) in enumerate((("as it stands, over t", "curvature t", 0, 5, range(6)),
+    for k, (title, label, *across) in enumerate((("the integrand, over t", "curvature t", 0, 5, range(6)),
                                                  ("after substitution, over y, with nodes", "y", -4, 6, range(-4, 7, 2)))):
         out.text(left + k * (width + gap), top - 14, title, 'class="title"')
         places.append(out.frame(left + k * (width + gap), top, width, height,
@@ -149,12 +149,12 @@ def draw_convergence(results):
 
 def rows(results):
     show = lambda error: f"{error:.0e}" if error > 2e-14 else "rounding"
-    return [[what, str(count), show(error)] for (what, points), chosen in zip(results, ((8, 24, 50), (8, 16, 24), (8, 16, 24), (8, 16, 24)))
-            for count, n, error in points if n in chosen]
+    return [[what] + [f"{count}: {show(error)}" for count, n, error in points if n in chosen]
+            for (what, points), chosen in zip(results, ((8, 24, 50), (8, 16, 24), (8, 16, 24), (8, 16, 24)))]
 
 
 found = errors()
-text = "\n".join(table(["rule", "evaluations", "relative error"], rows(found))).rstrip()
+text = "\n".join(table(["rule", "evaluations: relative error", "", ""], rows(found))).rstrip()
 sys.exit(write_or_check({DOCS / "integrand.svg": draw_integrand(), DOCS / "convergence.svg": draw_convergence(found),
                          DOCS / "theory-numerics.md": between_markers(DOCS / "theory-numerics.md", convergence=text)},
                         "make_integral_pictures.py", sys.argv[1:] == ["--check"], 0.2))

@@ -47,9 +47,9 @@ LAWS = {  # law: label, (colour on light, colour on dark, marker)
     "persson": ("persson", ("#c25700", "#ffb074", "square")),
     "hertz": ("hertz", ("#b3261e", "#ff8a80", "circle")),
     "greenwood_williamson": ("greenwood_williamson", ("#0b57a4", "#7db8ff", "square")),
-    "fractal": ("fractal, D = 2 − H", ("#1b7f54", "#5ccf97", "triangle")),
+    "fractal": ("fractal, D = 2 − Hurst", ("#1b7f54", "#5ccf97", "triangle")),
     "fractal_consistent": ("fractal_consistent", ("#7a2f9e", "#dba4f5", "diamond")),
-    "linear": ("p/(0.48 h_rms)", ("#7a6a00", "#e0cf5a", "cross")),
+    "linear": ("p/(0.48 σ)", ("#7a6a00", "#e0cf5a", "cross")),
 }
 FACTORS = (1.2, 1.5, 2, 3)
 
