@@ -201,7 +201,7 @@ typedef struct fstiff_slip {
     size_t size;                         /**< sizeof(fstiff_slip) */
     double separation;                   /**< d [m] */
     double levels[FSTIFF_SLIP_LEVELS];   /**< separations of first touch [m], rising from d on */
-    double drags[FSTIFF_SLIP_LEVELS][2]; /**< drag of the spots that first touched there, in both directions [m] */
+    double drags[FSTIFF_SLIP_LEVELS][2]; /**< drag of the contacts that first touched there, in both directions [m] */
     int count;                           /**< of levels in use */
 } fstiff_slip;
 

@@ -45,7 +45,7 @@ def _bodies(*given: Any) -> list[float]:
 
 
 def spot_conductance(stiffness: npt.ArrayLike, conductivity: float, effective_modulus: float) -> Numbers:
-    """Conductance of heat [W/(m^2 K)] or current [S/m^2] of the spots of a contact of `stiffness` [Pa/m], by the analogy of Barber (2003).
+    """Conductance of heat [W/(m^2 K)] or current [S/m^2] of the contacts of two faces of `stiffness` [Pa/m], by the analogy of Barber (2003).
 
     `conductivity` is the harmonic mean of both bodies [W/(m K) or S/m], `effective_modulus` in Pa. Without films and gap.
     """
@@ -179,7 +179,7 @@ class Contact(Shown):
     ) -> Law | Laws:
         """The law of the contact once it has carried `greatest_pressure` [Pa]: reversible below it, along the first loading above.
 
-        Of an array one law for each pressure, as Laws. What flowed stays flat, so that friction takes the law; an elastic contact has
+        Of an array one law for each pressure, as Laws. What yielded stays flat, so that friction takes the law; an elastic contact has
         the law of tabulate(). They share the separations of tabulate(), by which the contact was loaded. `outside` is any but "exact".
         """
         ends = number(min_pressure, "min_pressure"), number(max_pressure, "max_pressure")

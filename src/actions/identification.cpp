@@ -307,7 +307,7 @@ bool rises_by_flow(const ResolvedJoint& problem, const Fit& fit, double hardness
     return detail::yielded(share, cut.stiffness(share), K).stiffness > 1.05 * K;
 }
 
-/// A sentence on the peaks of the fitted surface where the law is elastic and they flow; empty else.
+/// A sentence on the peaks of the fitted surface where the law is elastic and they yield; empty else.
 std::string flow_of(const ResolvedJoint& problem, const Fit& fit, const std::vector<Parameter>& wanted) {
     const double hardness = hardness_of(problem);
     if (flows(problem, *fit.law) || !std::isfinite(hardness) || fit.found.status == math::FitStatus::singular)

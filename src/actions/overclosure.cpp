@@ -225,7 +225,7 @@ std::optional<PressureTable::Range> slope_over_stiffness(LawKind law, const Stat
     PressureTable::Range range{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double ratio = points[i].slope / states[i].stiffness.value;
-        if (!(ratio > 0)) return std::nullopt;  // boundary elements that flow know K of unloading alone
+        if (!(ratio > 0)) return std::nullopt;  // boundary elements that yield have K of unloading alone
         range = {std::min(range.least, ratio), std::max(range.greatest, ratio)};
     }
     return range;

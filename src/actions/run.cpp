@@ -336,7 +336,7 @@ std::vector<InputLine> input_lines(const Answered& answered) {
     const auto& scene = *answered.scene;
     std::vector<InputLine> lines{{"surface", run_text::surface_parts(answered)}};
     if (!scene.joint.faces.empty()) {
-        lines.push_back({"", {"of the sum of two rough faces"}});
+        lines.push_back({"", {"both rough faces together"}});
         if (scene.joint.face.map)
             lines.back().parts.push_back("laws of a map are means over " + std::to_string(scene.shifts) +
                                          " random shifts");

@@ -24,7 +24,7 @@ bool is_closed(const HalfSpacePoint<double>& point) { return std::isinf(point.st
 
 std::string shown_pressure(double pressure) { return document::unit_of_pressure(pressure)(pressure, 3); }
 
-/// The first pressure at which a contact carries more than its hardness; null where none does.
+/// The first pressure at which the pressure of a contact exceeds its hardness; null where none does.
 const HalfSpacePoint<double>* first_flowing(const TruthOfMap& solved) {
     if (!(solved.flows_above > 0)) return nullptr;
     const auto flowing = std::find_if(solved.at.begin(), solved.at.end(), [&](const HalfSpacePoint<double>& point) {

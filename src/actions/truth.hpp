@@ -20,7 +20,7 @@ struct TruthRequest {
     double modulus = 0;             ///< effective [Pa]
     std::vector<double> pressures;  ///< nominal [Pa]
     double hardness = 0;            ///< at which pressures are cut [Pa]; 0: elastic
-    double known_hardness = 0;      ///< of the softer body [Pa], for a warning where it flows; 0: not known
+    double known_hardness = 0;      ///< of the softer body [Pa], for a warning where it yields; 0: not known
     int points = 256;               ///< along the longer side, 16 or more, that the map is made coarser to
     Edges edges = Edges::mirrored;
     ProgressHook progress{};

@@ -40,7 +40,7 @@ void warn_of_missed(Answered& answered) {
         const bool ends = law->ends && count_of(*first) > 0;
         answered.doubtful = answered.doubtful || !ends;
         answered.warnings.push_back(
-            ends ? name + " ends before " + place + ": its contacts are too many or too crowded beyond"
+            ends ? name + " ends before " + place + ": its contacts are too many or too dense beyond"
                  : name + " has no result at " + std::to_string(count) + " of " + std::to_string(points) +
                        " points, the first of them " + place + ": " + missed.reason);
     }

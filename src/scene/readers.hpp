@@ -42,7 +42,7 @@ void read_surface(Source& source, const toml::table& table, Scene& scene, const 
 /// The bodies of \p table, steel where there is none, and the waves that meet the contact.
 void read_materials(Source& source, const toml::table* table, Scene& scene);
 void read_ultrasound(Source& source, const toml::table& table, Scene& scene);
-/// Reads [gap]: what fills it, what crosses it, and the films on the spots.
+/// Reads [gap]: what fills it, what crosses it, and the films on the contacts.
 void read_gap(Source& source, const toml::table& table, Scene& scene);
 void read_friction(Source& source, const toml::table& table, Scene& scene);
 /// \p file, which the scene names relative to itself; "-" is standard input.

@@ -65,7 +65,7 @@ std::string form_warning(const Surface<double>& parameters, const SurfaceOptions
                (parameters.profile ? "\"circle\"" : "\"sphere\" or \"cylinder\"") + ", removes it";
     if (form.is_bow())
         return document::shown_percent(form.parabola) +
-               " of the mean square height bends the plateau, so that a part of it carries first; " +
+               " of the mean square height bends the plateau, so that a part of it touches first; " +
                option("detrend", parameters.profile ? "parabola" : "quadratic") +
                " removes it where it is not of the face";
     if (!form.is_step()) return "";

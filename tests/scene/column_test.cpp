@@ -48,7 +48,7 @@ TEST_CASE("Every quantity of a curve has its key, its unit and its heading") {
          "thermal resistance [K/W]"},
         {"resistance", "resistance_ohm", "resistance_p05_ohm", "ohm", "resistance [ohm]"},
         {"real_area", "real_area_fraction", "real_area_fraction_p05", "", "real area"},
-        {"spot_pressure", "spot_pressure_Pa", "spot_pressure_p05_Pa", "Pa", "p of the spots [MPa]"},
+        {"spot_pressure", "spot_pressure_Pa", "spot_pressure_p05_Pa", "Pa", "p of the contacts [MPa]"},
         {"contacts", "contacts_per_m2", "contacts_p05_per_m2", "1/m^2", "contacts [1/mm²]"}};
     REQUIRE(answer_quantities().size() == all.size());
     const actions::Units units{

@@ -197,7 +197,7 @@ FSTIFF_INLINE double stiffness_at_greatest(const ResolvedJoint& problem, const L
     return point.ok() ? point.state.stiffness.value : 0;
 }
 
-/// Takes the state \p i of \p curve after the greatest pressure, if that is greater: what flowed then stays. K is that
+/// Takes the state \p i of \p curve after the greatest pressure, if that is greater: what yielded then stays. K is that
 /// of boundary elements as far as \p solved has it, else of the law of earlier loads with its error, from \p greatest,
 /// K at the greatest pressure [Pa/m].
 FSTIFF_INLINE void take_earlier_load(const ResolvedJoint& problem, double greatest, const Solved& solved, std::size_t i,

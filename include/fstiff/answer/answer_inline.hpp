@@ -160,7 +160,7 @@ FSTIFF_INLINE std::optional<AnswerPoint::Value> value_of(const AnswerQuantity& q
     if (quantity.word == "approach" && curve.separation_at_seating.empty()) return std::nullopt;
     if ((quantity.needs & quantity.slip) != 0 && curve.log_slopes.empty()) return std::nullopt;
     const Estimate<double> value = quantity.value({joint, curve, i, curve.states[i]});
-    const bool lost = quantity.word == "loading_stiffness" && value.value == 0;  // of boundary elements that flow
+    const bool lost = quantity.word == "loading_stiffness" && value.value == 0;  // of boundary elements that yield
     if (lost || !std::isfinite(value.value)) return std::nullopt;                // as the resistance of an insulator
     AnswerPoint::Value of{&quantity, {no_number, value.value, no_number}, value.error};
     if (!quantity.follows_stiffness()) return of;

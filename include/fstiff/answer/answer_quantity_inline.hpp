@@ -49,8 +49,8 @@ FSTIFF_INLINE double ratio_of(const ResolvedJoint& joint) {  // where it is know
     return joint.upper.youngs_modulus > 0 ? tangential_ratio(joint.upper, joint.lower) : 0;
 }
 
-/// The loss factor at the tangential stiffness \p k. Of yielded spots it has two limits, the ends; the value is their
-/// mean in logarithms.
+/// The loss factor at the tangential stiffness \p k. Of yielded contacts it has two limits, the ends; the value is
+/// their mean in logarithms.
 FSTIFF_INLINE double loss_of(const StateOfCurve& at, double k) {
     const double x =
         k * *at.joint.friction->amplitude / (at.joint.friction->coefficient * at.curve.states[at.i].pressure.value);
@@ -73,7 +73,7 @@ FSTIFF_INLINE Estimate<double> reflected(const StateOfCurve& at, const Impedance
     return fstiff::reflection(seen, media, at.joint.ultrasound->angular());
 }
 
-/// Conductance of heat or current through the spots and their film.
+/// Conductance of heat or current through the contacts and their film.
 FSTIFF_INLINE Estimate<double> of_spots(const StateOfCurve& at, bool heat) {
     const Conduction& conduction = at.joint.conduction;
     const ContactState<double>& s = at.state;
@@ -87,7 +87,7 @@ FSTIFF_INLINE Estimate<double> of_spots(const StateOfCurve& at, bool heat) {
 FSTIFF_INLINE double of_gap(const StateOfCurve& at) {
     return at.joint.conduction.gap ? conductance_of_gap(at.joint.conduction, at.state.separation.value) : 0;
 }
-/// 1/((h + \p gap) A), of the conductance \p h of the spots.
+/// 1/((h + \p gap) A), of the conductance \p h of the contacts.
 FSTIFF_INLINE Estimate<double> resistance(const StateOfCurve& at, const Estimate<double>& h, double gap) {
     const double resistance = 1 / ((h.value + gap) * at.joint.nominal_area.value_or(0));
     return {resistance, resistance * h.error / (h.value + gap)};
@@ -173,14 +173,14 @@ inline constexpr std::array table{
     Q{.word = "thermal_conductance", .place = 11, .name = "thermal_conductance", .suffix = "_W_per_m2K",
       .unit = "W/(m^2 K)", .symbol = "h", .of_law = Quantity::stiffness, .with_stiffness = rises,
       .needs = Q::heat, .value = [](At at) { return of_spots(at, true); }, .is_usual = conducts_heat,
-      .title = "Thermal conductance of the spots", .of_heat = true},
+      .title = "Thermal conductance of the contacts", .of_heat = true},
     Q{.word = "thermal_conductance_gap", .name = "thermal_conductance_gap", .suffix = "_W_per_m2K",
       .unit = "W/(m^2 K)", .symbol = "h of the gap", .of_law = Quantity::separation, .needs = Q::gap,
       .value = [](At at) { return Number{of_gap(at), 0}; }, .title = "Thermal conductance of the gap", .with = "thermal_conductance"},
     Q{.word = "electrical_conductance", .place = 12, .name = "electrical_conductance", .suffix = "_S_per_m2",
       .unit = "S/m^2", .symbol = "electrical h", .of_law = Quantity::stiffness, .with_stiffness = rises,
       .needs = Q::current, .value = [](At at) { return of_spots(at, false); }, .is_usual = conducts_current,
-      .title = "Electrical conductance of the spots"},
+      .title = "Electrical conductance of the contacts"},
     Q{.word = "thermal_resistance", .place = 14, .name = "thermal_resistance", .suffix = "_K_per_W", .unit = "K/W",
       .symbol = "thermal resistance", .of_law = Quantity::stiffness, .with_stiffness = falls,
       .needs = Q::area | Q::heat,
@@ -194,7 +194,7 @@ inline constexpr std::array table{
       .of_law = Quantity::real_area_fraction, .value = [](At at) { return at.state.real_area_fraction; },
       .is_usual = always},
     Q{.word = "spot_pressure", .place = 16, .name = "spot_pressure", .suffix = "_Pa", .unit = "Pa",
-      .symbol = "p of the spots", .of_law = Quantity::real_area_fraction,
+      .symbol = "p of the contacts", .of_law = Quantity::real_area_fraction,
       .value = mean_on_spots},
     Q{.word = "contacts", .place = 4, .name = "contacts", .suffix = "_per_m2", .unit = "1/m^2",
       .symbol = "contacts", .of_law = Quantity::contact_density,

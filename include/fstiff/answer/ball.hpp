@@ -82,7 +82,7 @@ namespace detail {
 }
 
 /// Contacts per force [1/N] of \p answer where the pressure is \p pressure [Pa], or the greatest at which peaks are
-/// spots; 0: not known.
+/// contacts; 0: not known.
 [[nodiscard]] inline double contacts_per_force(const Answer& answer, double pressure) {
     if (answer.rms_gradient)
         pressure = (std::min)(pressure, most_of_spots * answer.effective_modulus * *answer.rms_gradient);

@@ -8,7 +8,7 @@
 ///         if (!check.holds()) warn(name_of(check.concern), check.first, check.greatest, check.limit);
 ///
 /// Nothing is refused: a check that does not hold reports the states, and the numbers stay as they are. Every quantity,
-/// its limit and the reason: docs/theory-contact.md, section 15.
+/// its limit and the reason: docs/theory-contact.md, section 12.
 ///
 /// Reference   Greenwood, Williamson, Proc. R. Soc. Lond. A 295 (1966) 300-319 (psi); Greenwood, Proc. R. Soc. Lond. A
 ///             393 (1984) 133-157 (r = sigma_m^2/(sigma sigma_kappa), sigma_m the slope of a profile); Tabor, The

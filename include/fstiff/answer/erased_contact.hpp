@@ -51,7 +51,7 @@ protected:
     Contact contact_;
 };
 
-/// A contact of plastic peaks, which begin to flow at omega_c = critical_over_radius R.
+/// A contact of plastic peaks, which begin to yield at omega_c = critical_over_radius R.
 template <class Contact>
 class ErasedPlasticContact final : public ErasedContact<Contact> {
 public:

@@ -139,7 +139,7 @@ struct Conduction {
     std::optional<double> thermal{}, electrical{};
     std::optional<GapFilling<double>> gap{};       ///< what lies between the faces
     double radiation = 0;                          ///< h in addition [W/(m^2 K)]
-    double thermal_film = 0, electrical_film = 0;  ///< on the spots [m^2 K/W], [ohm m^2]
+    double thermal_film = 0, electrical_film = 0;  ///< on the contacts [m^2 K/W], [ohm m^2]
 };
 
 /// Conditions of a tangential force.

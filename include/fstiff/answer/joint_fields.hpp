@@ -206,9 +206,9 @@ void each_field(C& conduction, const Take& take) {
     take("radiation", conduction.radiation,
          NumberFacts{.unit = "W/(m^2 K)", .help = "radiative conductance", .low_too = true});
     take("thermal_film", conduction.thermal_film,
-         NumberFacts{.unit = "m^2 K/W", .help = "thermal resistance of a film on the spots", .low_too = true});
+         NumberFacts{.unit = "m^2 K/W", .help = "thermal resistance of a film on the contacts", .low_too = true});
     take("electrical_film", conduction.electrical_film,
-         NumberFacts{.unit = "ohm m^2", .help = "electrical resistance of a film on the spots", .low_too = true});
+         NumberFacts{.unit = "ohm m^2", .help = "electrical resistance of a film on the contacts", .low_too = true});
 }
 
 /// Hands over the numbers of \p friction, Friction.

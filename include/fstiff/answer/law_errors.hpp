@@ -10,7 +10,7 @@
 ///     scatter  0.77/sqrt(n) of ln K of one surface with n contacts, one standard deviation
 ///
 /// low(p*), high(p*): a table for each law and kind of knowledge, linear in ln p*; plastic: p/H in place of p*, and by
-/// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory-contact.md, section 15.
+/// squares ever more of hybrid as H/(E g) rises. Other terms: docs/theory-contact.md, section 12.
 ///
 /// Reference   docs/accuracy.md: boundary elements of maps of 19 kinds and of 13 kinds of faces, and the scatter
 /// Units       p* = p/(E g_rms), ln K
@@ -61,8 +61,8 @@ using LawErrorTable = std::array<int, law_error_pressures.size()>;
 /// Errors of one law.
 // clang-format off
 struct LawErrorRow { LawErrorTable low, high; };
-/// Of heights that are far from Gaussian: faces of one skewness and kurtosis differ where few points carry and, by
-/// their patches, where many do. Those of flow are read at p/H, and were set on the law with its bearing curve.
+/// Of heights that are far from Gaussian: faces of one skewness and kurtosis differ where few points touch and, by
+/// their patches, where many do. Those of yield are read at p/H, and were set on the law with its bearing curve.
 inline constexpr LawErrorRow shape_errors_of_traces{{60, 60, 60, 60, 60, 60, 60}, {60, 60, 60, 60, 60, 60, 60}},
     shape_errors_of_numbers{{120, 120, 110, 78, 33, 33, 25}, {75, 75, 50, 45, 28, 54, 55}},
     shape_errors_with_alpha{{120, 120, 110, 78, 33, 33, 20}, {75, 75, 50, 45, 28, 54, 44}},
@@ -136,7 +136,7 @@ template <Real T>
     return {-(std::min)(low, T(3)), (std::min)(high, T(3))};
 }
 
-/// p/(E g) up to which the contacts of a law, its peaks, are spots: there they are 1 to 4 times as many.
+/// p/(E g) up to which the contacts of a law, its peaks, count those of the face: they are 1 to 4 times as many there.
 inline constexpr double most_of_spots = 0.03;
 
 /// Uncertainty of K by the number of \p contacts on an area, 5 and 95 %; fewer than one count as one.

@@ -78,7 +78,7 @@ FSTIFF_INLINE const Law& hybrid() {
 
 FSTIFF_INLINE const Law& persson() {
     static const Law row{.which = LawKind::persson,
-                         .nature = "elastic, from the spectrum: crowded contacts",
+                         .nature = "elastic, from the spectrum: dense contacts",
                          .has_peaks = false,
                          .load = "Persson (2007)",
                          .stiffness = "Persson (2007), Almqvist et al. (2011)",

@@ -158,7 +158,7 @@ FSTIFF_INLINE std::unique_ptr<AnyContact> plastic_peaks_contact(const ContactInp
         critical_over_radius);
 }
 
-/// A law of peaks that begin to flow. Its integrals have two dimensions, and the law itself is known to some percent.
+/// A law of peaks that begin to yield. Its integrals have two dimensions, and the law itself is known to some percent.
 template <class OfMaterial>
 std::unique_ptr<AnyContact> elastic_plastic(const ContactInputs& inputs) {
     RoughContactOptions<double> options = options_of(inputs);

@@ -39,7 +39,7 @@
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-/// The crowded contacts of maps by their bearing curves, and their highest points. They cost a sort and a transform of
+/// The dense contacts of maps by their bearing curves, and their highest points. They cost a sort and a transform of
 /// each map, so that they are made when a law first asks for them; all copies of a surface share them.
 class BearingsOfMaps {
 public:

@@ -86,7 +86,7 @@ void take_bodies(const Body& upper, const Body& lower, const std::optional<doubl
 [[nodiscard]] double hardness_of_material(const ResolvedJoint& problem);
 /// H/(E g), of the softer body and the surface; none where the gradient is not known, and of a body that never yields.
 [[nodiscard]] std::optional<double> relative_hardness(const ResolvedJoint& problem);
-/// Whether K of \p law is that of yielded spots.
+/// Whether K of \p law is that of yielded contacts.
 [[nodiscard]] bool flows(const ResolvedJoint& problem, const Law& law);
 
 }}}  // namespace fstiff::detail

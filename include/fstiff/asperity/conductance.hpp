@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Conductance for heat and current across a contact: spots, films on the spots, gap and radiation, in parallel.
+/// Conductance for heat and current between two faces: contacts, films on them, gap and radiation, in parallel.
 ///
-///     h   = k K/E,   k = 2 k1 k2/(k1 + k2)                            spots, for heat and current alike
-///     h_f = 1/(1/h + r/A_r)                                           spots under a film of r [m^2 K/W or m^2/S]
+///     h   = k K/E,   k = 2 k1 k2/(k1 + k2)                            contacts, for heat and current alike
+///     h_f = 1/(1/h + r/A_r)                                           contacts under a film of r [m^2 K/W or m^2/S]
 ///     h_g = k_g/(d + M)                                               gap of mean width d and temperature jump M
 ///     M   = [(2 - a1)/a1 + (2 - a2)/a2] 2 g/(g + 1)/Pr L              gas of mean free path L
 ///     h_r = 4 s T^3/(1/e1 + 1/e2 - 1)                                 radiation between grey faces
 ///
-/// Derivation: docs/theory-applications.md, section 13.
+/// Derivation: docs/theory-applications.md, section 14.
 /// Reference   Barber, Proc. R. Soc. A 459 (2003) 53; Yovanovich, IEEE Trans. Compon. Packag. Technol. 28 (2005) 182
 ///             (gap and M); Holm, Electric Contacts (1967), section 5 (film); media: at the table
 /// Units       k [W/(m K)] or [S/m], K [Pa/m], E [Pa], h [W/(m^2 K)] or [S/m^2], d, M, L [m], T [K]
-/// Valid       bodies much thicker than the distance of the spots; films much thinner than a spot is wide
+/// Valid       bodies much thicker than the distance of the contacts; films much thinner than a contact is wide
 /// Accuracy    5 ulp (tests/asperity/conductance_test.cpp); the gap by its mean width, which the narrow parts exceed
 
 #include <fstiff/core/error.hpp>
@@ -36,7 +36,7 @@ template <Real T>
     return more > 0 ? 2 * less / (1 + less / more) : T(0);
 }
 
-/// h of the spots. \throws domain_error unless the modulus is positive, k not negative, K not negative or
+/// h of the contacts. \throws domain_error unless the modulus is positive, k not negative, K not negative or
 /// NaN, of a point without one.
 template <Real T>
 [[nodiscard]] T spot_conductance(T stiffness, T conductivity, T effective_modulus) {
@@ -48,7 +48,7 @@ template <Real T>
 
 namespace detail {
 
-/// h of spots that cover \p area of the nominal one, under a film of the resistance \p film of an area.
+/// h of contacts that cover \p area of the nominal one, under a film of the resistance \p film of an area.
 template <Real T>
 [[nodiscard]] T under_film(T spots, T area, T film) {
     return film > 0 && spots > 0 ? spots / (1 + spots * film / area) : spots;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Indentation hardness as a contact has it, the mean pressure of a spot that has flowed, and its range where no one
-/// measured it.
+/// Indentation hardness: the mean pressure of a contact that has yielded fully, and its range where it was not
+/// measured.
 ///
 ///     vickers_pressure * 200                     2.12e9, of 200 HV
 ///     hardness_of_elastic({210e9, 0.3})          {0.95e9, 2.7e9, 11.6e9}, of any metal with these constants
-///     softer(of_steel, of_copper)                the hardness of the body that flows
+///     softer(of_steel, of_copper)                the hardness of the body that yields
 ///
 ///     HV is force over the faces of the pyramid; the pressure under it is 1/sin 68 degrees = 1.079 times that
 ///
@@ -60,7 +60,7 @@ inline constexpr double vickers_pressure = 9.80665e6 / 0.9271838545667874;
 }
 
 /// Range of the hardness [Pa] of a body of which nothing but \p elastic is known: of metals, of glass and ceramics (nu
-/// below 0.25), of polymers (E below 15 GPa). Rubber, E below 0.1 GPa, does not flow: infinite.
+/// below 0.25), of polymers (E below 15 GPa). Rubber, E below 0.1 GPa, does not yield: infinite.
 [[nodiscard]] inline PriorRange hardness_of_elastic(const Material<double>& elastic) {
     const double modulus = elastic.youngs_modulus;
     if (!(modulus >= 0.1e9)) {

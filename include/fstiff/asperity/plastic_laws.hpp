@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Load, area and stiffness of one asperity of radius R that flows plastically, pressed in by omega: three laws.
+/// Load, area and stiffness of one asperity of radius R that yields, pressed in by omega: three laws.
 ///
-///     PlasticLaw       load H area,  area 2 pi R omega            s = omega/omega_c, omega_c: beginning of flow
+///     PlasticLaw       load H area,  area 2 pi R omega            s = omega/omega_c, omega_c: first yield
 ///     JacksonGreenLaw  Hertz for s < 1.9, beyond it a fit to finite elements with a hardness that falls with a/R
 ///     KogutEtsionLaw   powers of s in four ranges: s < 1, < 6, < 110, beyond
 ///     all              stiffness 2 sqrt(area/pi) on unloading, as a wave sees it; the slope of the load is another
@@ -43,7 +43,7 @@ struct PlasticMaterial {
     }
 };
 
-/// All peaks flow: the mean pressure of every contact is the hardness.
+/// All peaks yield: the mean pressure of every contact is the hardness.
 template <Real T = double>
 class PlasticLaw {
 public:

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Hybrid contact of a map: from its summits to its crowded contact.
+/// Hybrid contact of a map: from its summits to its dense contact.
 ///
 ///     K = ratio(p) K_peaks                                                            p <= p_h
 ///     K = K_crowded (ratio K_peaks/K_crowded at p_h)^(1 - ln(p/p_h)/ln 8)             p_h < p < 8 p_h
 ///     K = K_crowded                                                                   p >= 8 p_h
 ///
 /// ratio is K of summits that push each other down over K of summits each by themselves, tabulated at p_h, p_h/2, ...
-/// and linear in ln p; surfaces drawn about the map share it. p_h is where 6 % of the area is in contact by the crowded
-/// law, or less where more than 1,200 summits carry or the summits cannot be separated.
+/// and linear in ln p; surfaces drawn about the map share it. p_h is where 6 % of the area is in contact by the dense
+/// law, or less where more than 1,200 summits touch or the summits cannot be separated.
 ///
 /// Reference   this project: 6 %, 8 and 1,200 by boundary elements of 25 kinds of maps (docs/validation.md)
 /// Units       SI
@@ -22,7 +22,7 @@
 
 namespace fstiff { inline namespace v0_1 {
 
-/// Passage from the summits of a map to its crowded contact.
+/// Passage from the summits of a map to its dense contact.
 template <Real T = double>
 class Crossover {
 public:
@@ -43,7 +43,7 @@ public:
         return peaks() * std::exp(log_ratio(-beyond / std::numbers::ln2_v<T>));
     }
 
-    /// Hand-over for a surface \p factor times as high, with \p peaks and the same ratios; its crowded contact has the
+    /// Passage for a surface \p factor times as high, with \p peaks and the same ratios; its dense contact has the
     /// same K at \p factor times the pressure.
     template <class Peaks>
     [[nodiscard]] Crossover scaled(const Peaks& peaks, T factor) const {
@@ -80,7 +80,7 @@ private:
 
 namespace fstiff { inline namespace v0_1 { namespace detail {
 
-/// Hand-over for a map with \p summits and the crowded contact \p crowded. \throws domain_error as SummitContact.
+/// Passage for a map with \p summits and the dense contact \p crowded. \throws domain_error as SummitContact.
 template <Real T>
 [[nodiscard]] Crossover<T> hand_over_of(const Summits<T>& summits, const MaterialRatioContact<T>& crowded,
                                         Edges edges = Edges::mirrored) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Stiffness after an earlier, greater load, whose flowed area remains.
+/// Stiffness after an earlier, greater load, whose yielded area remains.
 ///
 ///     K(p after p_max)/K(p_max) = f r/(1 + (f^n - 1) r^n)^(1/n),  r = K(p)/K(p_max) of first loadings, n = 1.7
 ///     f = 1 + 1.1/(1 + (h/0.44)^2.1),  h = H/(E g)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Law for all loads: peaks where few of them carry, Persson's theory where they are crowded.
+/// Law for all loads: peaks where few of them touch, Persson's theory where contacts are dense.
 ///
 ///     K = (K_peaks^5 + K_crowded^5)^(1/5)         at equal pressure; for a map contact/hybrid_contact.hpp
 ///     d = int_p^(2 E g) dp'/K(p')                 separation of the mean planes; at 2 E g all is in contact

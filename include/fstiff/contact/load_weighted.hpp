@@ -3,7 +3,7 @@
 /// \file
 /// Mean depth of the peaks of a contact, each peak weighted by its load, to check the range of plastic laws.
 ///
-///     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to flow
+///     <s>   = sum load omega/omega_c / sum load          omega_c = (its strain)^2 R, where a peak begins to yield
 ///     <a/R> = sum load a/R / sum load                    a = sqrt(area/pi)
 ///
 /// Reference   this project
@@ -71,7 +71,7 @@ template <Real T, class Law, class Peaks>
     return {over_load(sums.stiffness, T(1)), over_load(sums.real_area_fraction, modulus)};
 }
 
-/// The same for a law that gives the beginning of flow of its peaks.
+/// The same for a law that gives the first yield of its peaks.
 template <Real T, class Law, class Peaks>
 requires requires(const Law& law) { law.critical(T(1)); }
 [[nodiscard]] LoadMeans<T> load_means(const RoughContact<T, Law, Peaks>& contact, T eta) {

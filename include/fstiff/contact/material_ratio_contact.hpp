@@ -87,7 +87,7 @@ private:
 
 namespace fstiff { inline namespace v0_1 {
 
-/// The crowded contact of a surface with a bearing curve, or without one.
+/// The dense contact of a surface with a bearing curve, or without one.
 template <Real T = double>
 class MaterialRatioContact : public detail::SlopeContact<MaterialRatioContact<T>, T> {
 public:

@@ -313,7 +313,7 @@ private:
                 "at most 5000 that push each other down (hybrid and boundary_elements go on)");
         if (!(s.stiffness > 0 && s.crowding.real_area_fraction <= max_area))
             refuse("pressure", pressure,
-                   "so small that the summits are not too crowded to be separated (hybrid and boundary_elements "
+                   "so small that the summits are not too dense to be separated (hybrid and boundary_elements "
                    "go on)");
         return s;
     }

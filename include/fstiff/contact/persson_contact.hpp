@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Persson's stiffness of a rough contact from the spectrum of the roughness: the law of crowded contacts.
+/// Persson's stiffness of a rough contact from the spectrum of the roughness: the law of dense contacts.
 ///
 ///     1/K = sqrt(2/pi)/p int_0^g f(p/(E G)) dG/q(G),     f(x) = B(P) exp(-2 x^2),  P = erf(sqrt(2) x)
 ///     d   = sqrt(2/pi) int_0^g W(sqrt(2) p/(E G)) dG/q,  W(y) = int_y^inf B(erf s) exp(-s^2) ds/s
@@ -12,7 +12,7 @@
 ///             (gamma); Almqvist et al., J. Mech. Phys. Solids 59 (2011) 2355 (gamma = 0.45); c = 1/4: this project
 /// Units       SI: m, Pa, Pa/m
 /// Valid       0 < gamma <= 1, 0 <= c <= 1; states up to 0.75 E g, stiffness() and separation() up to 18 E g; isotropic
-///             Gaussian surfaces. K is too small where few peaks carry: 0.65 of boundary elements at p/(E g) = 0.002
+///             Gaussian surfaces. K is too small where few peaks touch: 0.65 of boundary elements at p/(E g) = 0.002
 /// Accuracy    K 1e-13, separation 1e-13 of the rms height, in double (tests/contact/persson_contact_test.cpp)
 
 #include <fstiff/contact/contact_state.hpp>
@@ -215,7 +215,7 @@ public:
     void require_compared(T pressure) const {
         detail::require_positive("pressure", pressure);
         detail::require(pressure <= largest_compared_pressure(), "pressure", pressure,
-                        "at most 0.75 E g: closed beyond, the bulk carries (Pa)");
+                        "at most 0.75 E g: closed beyond, the bulk carries the load (Pa)");
     }
 
 private:

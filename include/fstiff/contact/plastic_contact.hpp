@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Contact of a surface whose pressures end at the hardness H, from elastic to all flowed: K is that of unloading.
+/// Contact of a surface whose pressures end at the hardness H, from elastic to all yielded: K is that of unloading.
 ///
 ///     K    = c (e^L - 1) 1.5^w       L^n = L_flow^n + L_el^n    w = L_el/L    n = 2.8 - 1.65 s    L_flow = -ln(1 - s)
 ///     A/A0 = 1 - e^-L_A              L_A^2 = L_flow^2 + ln(1 - A_el/A0)^2     L_el = ln(1 + K_el/(1.5 c))
@@ -43,16 +43,16 @@ concept CutSurface = requires(const C& cut, T share) {
     { cut.level(share) } -> std::convertible_to<std::pair<T, T>>;
 };
 
-/// K [Pa/m], and the factor of the approach by flow.
+/// K [Pa/m], and the factor of the approach by yield.
 template <Real T>
 struct Yielded {
     T stiffness, flow;
 };
-/// Elastic contacts over flowed ones of the same area.
+/// Elastic contacts over yielded ones of the same area.
 template <Real T>
 inline constexpr T stiffer_than_flowed = T(1.5);
 
-/// The contact at p/H = \p share < 1 of which K would be \p cut if all flowed and \p elastic if nothing did.
+/// The contact at p/H = \p share < 1 of which K would be \p cut if all yielded and \p elastic if nothing did.
 template <Real T>
 [[nodiscard]] Yielded<T> yielded(T share, T cut, T elastic) {
     constexpr T stiffer = stiffer_than_flowed<T>;
@@ -67,7 +67,7 @@ template <Real T>
 }
 
 /// Cut of a Gaussian surface: K_cut = E g/sigma s/(1-s) sqrt(0.55^2 + 0.28^2 (z - 0.65)^2), z = Phi^-1(1-s). For light
-/// loads 0.28 z, which is 1/(2 sqrt(pi)), is exact of separate spots.
+/// loads 0.28 z, which is 1/(2 sqrt(pi)), is exact of separate contacts.
 template <Real T = double>
 class GaussianCut {
 public:
@@ -99,7 +99,7 @@ private:
 ///     K_el' = K_el/(1 + (K_el/B)^4)^(1/4)                       B = 1.5 K_cut (1 + (4 H/(E g))^2)
 ///
 /// K_el' takes the place of K_el, which few numbers make too high at light loads of a plateau: contacts under p have
-/// the area p/H, or more where H/(E g) is large, and elastic ones are 1.5 times as stiff as flowed ones of one area.
+/// the area p/H, or more where H/(E g) is large, and elastic ones are 1.5 times as stiff as yielded ones of one area.
 /// For a straight f K_cut is that of GaussianCut, and B changes K by less than 0.2 %. Without f the cut is GaussianCut,
 /// without a bound.
 /// Reference   this project: fitted to boundary elements of 21 kinds of faces; docs/theory-contact.md, section 10
@@ -219,7 +219,7 @@ private:
 
 }  // namespace detail
 
-/// Contact whose spots yield at a hardness. \p Elastic is the contact of the same surface without flow, at light and
+/// Contact that yields at a hardness. \p Elastic is the contact of the same surface without yield, at light and
 /// heavy loads: HybridContact.
 template <Real T, class Elastic, detail::CutSurface<T> Cut>
 class PlasticContact : private detail::SlopeContact<PlasticContact<T, Elastic, Cut>, T> {
@@ -244,7 +244,7 @@ public:
     [[nodiscard]] ContactState<T> at_pressure(T pressure, Quantity quantities = Quantity::all) const {
         detail::require_positive("pressure", pressure);
         detail::require(pressure < hardness_, "pressure", pressure,
-                        "less than the hardness (Pa): all has flowed there");
+                        "less than the hardness (Pa): all peaks have yielded there");
         const T share = pressure / hardness_;
         ContactState<T> state;
         state.pressure = {pressure, 0, 0};

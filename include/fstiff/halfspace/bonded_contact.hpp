@@ -7,7 +7,7 @@
 ///
 /// The problem is linear and is solved by conjugate gradients, without a search for the contact. 1/K is the mean of t
 /// u[t], which has its minimum there, so that its error is a square. A rigid flat leaves the highest points of area p/H
-/// of peaks that flow at the hardness H; their K is that of unloading.
+/// of peaks that yield at the hardness H; their K is that of unloading.
 ///
 /// Reference   halfspace/boundary_elements.hpp; Stanley, Kato, J. Tribol. 119 (1997) 481
 /// Units       heights [m], K [Pa/m]

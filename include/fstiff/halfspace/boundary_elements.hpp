@@ -101,7 +101,7 @@ private:
     /// The same by projected gradients with the step of Barzilai and Borwein, where sets go round in circles.
     Solution solve_cut(T nominal, T tolerance);
     [[nodiscard]] BoundaryElementState<T> state(T pressure, const Solution& solution);
-    /// -dp/dd at \p state, where points have flowed.
+    /// -dp/dd at \p state, where points have yielded.
     [[nodiscard]] T loading_stiffness(const BoundaryElementState<T>& state);
     /// The nearest pressures between 0 and \p hard of the mean \p nominal: all shifted by one number, and cut.
     static void project(Field& p, T nominal, T hard);

@@ -6,7 +6,7 @@
 ///     h' = min(h, u[p] + d)         p, d of the solution with p <= H; above H the face overlaps what it is pressed to
 ///
 /// Units       [m], [Pa]
-/// Valid       as halfspace/boundary_elements; what flows moves no other material
+/// Valid       as halfspace/boundary_elements; what yields moves no other material
 /// Accuracy    of the solution that it is of: K and the area of h' at its pressure are those of unloading
 ///             (tests/halfspace/unloading_test.cpp)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// The law of a contact after its greatest load: what flowed then stays flat, so that it opens and closes reversibly.
+/// The law of a contact after its greatest load: what yielded then stays flat, so that it opens and closes reversibly.
 ///
 ///     -dp/dd = K(p after p_max)  below p_max;   -dp/dd of the first loading above;   both meet at d(p_max)
 ///

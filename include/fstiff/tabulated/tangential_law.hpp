@@ -9,9 +9,9 @@
 ///     q = k sum (u_b - u_a)/(x_b - x_a) [p(x_a) - p(x_b)]         any history: level x is dragged by u (slip_path.hpp)
 ///
 /// Reference   Jaeger, Arch. Appl. Mech. 65 (1995) 478; Ciavarella, J. Appl. Mech. 65 (1998) 998; levels as
-///             springs: Popov, Hess (2015), ch. 5; derivation: docs/theory-applications.md, section 12
+///             springs: Popov, Hess (2015), ch. 5; derivation: docs/theory-applications.md, section 13
 /// Units       d, s [m], p, q [Pa], E, W [J/m^2], tangents [Pa/m]
-/// Valid       bodies of like elastic constants, Coulomb friction, a law whose K is -dp/dd: no peaks that flow
+/// Valid       bodies of like elastic constants, Coulomb friction, a law whose K is -dp/dd: no peaks that yield
 /// Accuracy    that of the law, and 1e-15 mu p on straight paths (tests/tabulated/tangential_law_test.cpp, which also
 ///             measures the error of paths that turn in a plane)
 /// Threads     as ContactLaw; a state belongs to whoever holds it. No call allocates
@@ -32,10 +32,10 @@
 //     q = mu p (1 - P),  dq/ds = -k K P'       P(x): the load left when the contact is parted by x p/K, over p
 //     W = (4 mu^2 p^2/(k K)) [(1 + P) x - 2 I],  I: integral of P from 0 to x;  loss factor W/(pi q s)
 //     K ~ p^m below p     P = [1 - (1 - m) x]^(1/(1-m));  m = 1/3 one sphere, 1 far from both ends of the load
-//     spots that flowed   P = (2/pi) [acos y - y sqrt(1 - y^2)],  y = pi x/4: equal ones, under the hardness all over
+//     yielded contacts    P = (2/pi) [acos y - y sqrt(1 - y^2)],  y = pi x/4: equal ones, under the hardness all over
 //
-// Reference   tabulated/tangential_law.hpp; P of a flowed spot: Popov, Hess, Method of Dimensionality Reduction (2015),
-//             ch. 2; derivation: docs/theory-applications.md, section 12
+// Reference   tabulated/tangential_law.hpp; P of a yielded contact: Popov, Hess, Method of Dimensionality Reduction
+//             (2015), ch. 2; derivation: docs/theory-applications.md, section 13
 // Units       dimensionless
 // Valid       x >= 0, 0 <= m < 2; beyond full slip P = 0. Like bodies, Coulomb friction
 // Accuracy    1e-13; with m between 0.6 p and p the loss factor of three laws is within 3 % of that of the law itself,
@@ -59,9 +59,9 @@ private:
     }
 };
 
-/// Equal circular spots that flowed under one pressure. They lose far less than elastic ones while little slips, as x^2
-/// against x. Neighbours of other sizes and elastic spots between them lose more: a contact that flowed is between the
-/// two, for x >= 0.3 within a factor of 2 of their geometric mean (boundary elements:
+/// Equal circular contacts that yielded under one pressure. They lose far less than elastic ones while little slips, as
+/// x^2 against x. Neighbours of other sizes and elastic contacts between them lose more: faces that yielded are between
+/// the two, for x >= 0.3 within a factor of 2 of their geometric mean (boundary elements:
 /// tests/halfspace/unloading_test.cpp).
 template <Real T>
 struct FlowedUnloading {
@@ -309,7 +309,7 @@ private:
     }
 
     ContactLaw<T> law_;
-    T friction_, ratio_, widening_;  ///< widening_: of the separation where spots stick, k/mu
+    T friction_, ratio_, widening_;  ///< widening_: of the separation where contacts stick, k/mu
     T closest_;
 };
 
