@@ -178,6 +178,10 @@ void NumberTable::say_layout(Record& record, std::string roles, bool may_be_one)
                                                                             : "blanks";
     record.note("read as", std::move(roles) + "; separator: " + separator + ", decimal " +
                                (dialect.decimal_comma ? "comma" : "point") + unused());
+    constexpr std::size_t many = 64;  // a table of its own, not results
+    if (footer.size() > many)
+        record.warnings.push_back(std::to_string(footer.size()) + " lines after the rows, from line " +
+                                  std::to_string(footer.front().number) + " on, are not read");
     const std::size_t header = lines[first].number - 1 - before;  // blank lines and comments included
     std::string text = std::to_string(header) + (header == 1 ? " line" : " lines");
     if (counted != 0) text += ", the last of which is the number of rows";

@@ -119,7 +119,7 @@ std::optional<WordRows> rows_between(const std::vector<Line>& lines, char separa
     return found;
 }
 
-/// Rows of \p table as they are found without words, and whether a line that is none is among them.
+/// Rows of \p table as they are found without words, and whether a line that is none is among them, or more are below.
 std::pair<std::size_t, bool> plain_rows(const NumberTable& table) {
     std::size_t rows = 0, others = 0;
     bool interrupted = false;
@@ -137,7 +137,7 @@ std::pair<std::size_t, bool> plain_rows(const NumberTable& table) {
         ++rows;
         interrupted = interrupted || others > 0;
     }
-    return {rows, interrupted};
+    return {rows, interrupted || others > rows};
 }
 
 }  // namespace
