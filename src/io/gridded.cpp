@@ -68,6 +68,14 @@ Nodes nodes_of(const TriangleMesh& mesh, std::size_t axis, const SurfaceOptions&
 /// Gives the nodes in the triangles, or up to \p margin outside of them, their heights. Of two faces the upper one
 /// counts; with a margin, nodes that have a height keep it.
 void draw(const TriangleMesh& mesh, const Nodes& xs, const Nodes& ys, double margin, std::vector<double>& heights) {
+    const auto lacks_some = [&](const Point& a, const Point& b, const Point& c, std::size_t row, std::size_t last_row) {
+        const auto [x_low, x_high] = std::minmax({a[0], b[0], c[0]});
+        const auto [column, last_column] = xs.between(x_low - margin, x_high + margin);
+        for (std::size_t j = row; j < last_row; ++j)
+            for (std::size_t i = column; i < last_column; ++i)
+                if (std::isnan(heights[j * xs.count + i])) return true;
+        return false;
+    };
     for (const Triangle& triangle : mesh.triangles) {
         const Point* const corners[] = {&mesh.points[triangle[0]], &mesh.points[triangle[1]],
                                         &mesh.points[triangle[2]]};
@@ -76,6 +84,7 @@ void draw(const TriangleMesh& mesh, const Nodes& xs, const Nodes& ys, double mar
         const auto [y_low, y_high] = std::minmax({a[1], b[1], c[1]});
         const auto [z_low, z_high] = std::minmax({a[2], b[2], c[2]});
         const auto [row, last_row] = ys.between(y_low - margin, y_high + margin);
+        if (margin > 0 && !lacks_some(a, b, c, row, last_row)) continue;
         for (std::size_t j = row; j < last_row; ++j) {
             const double y = ys.at(j);
             double low = -std::numeric_limits<double>::infinity(), high = -low;

@@ -100,37 +100,38 @@ void take_faces(const std::vector<Triangle>& faces, TriangleMesh& mesh, const st
                            "without the sides and the back of the body, with z along its height"});
 }
 
-/// The length in x and y of edge \p k of \p triangle.
-double edge(const TriangleMesh& mesh, const Triangle& triangle, std::size_t k) {
+/// The square of the length in x and y of edge \p k of \p triangle.
+double squared_edge(const TriangleMesh& mesh, const Triangle& triangle, std::size_t k) {
     const Point &a = mesh.points[triangle[k]], &b = mesh.points[triangle[(k + 1) % 3]];
-    return std::hypot(b[0] - a[0], b[1] - a[1]);
+    return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
 }
 
 double median_edge(const TriangleMesh& mesh) {
     std::vector<double> lengths;
     lengths.reserve(3 * mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) lengths.push_back(edge(mesh, triangle, k));
+        for (std::size_t k = 0; k < 3; ++k) lengths.push_back(squared_edge(mesh, triangle, k));
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
-    return *middle;
+    return std::sqrt(*middle);
 }
 
 /// Leaves out triangles that bridge a hole, and refuses what is too steep.
 void check_triangles(TriangleMesh& mesh, const std::string& name) {
     double area = 0, steep = 0, long_area = 0;
+    const double longest = longest_edge * longest_edge * mesh.spacing * mesh.spacing;
     std::erase_if(mesh.triangles, [&](const Triangle& t) {
         const Point &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
         const double own = doubled_area(a, b, c);
         bool bridges = !(own > 0);
         for (std::size_t k = 0; k < 3 && mesh.triangulated && !bridges; ++k)
-            bridges = edge(mesh, t, k) > longest_edge * mesh.spacing;
+            bridges = squared_edge(mesh, t, k) > longest;
         area += (std::max)(own, 0.0);
         if (bridges) {
             long_area += (std::max)(own, 0.0);
         } else {
             const auto [x, y] = slope_of(a, b, c, own);
-            if (std::hypot(x, y) > steepest) steep += own;
+            if (x * x + y * y > steepest * steepest) steep += own;
         }
         return bridges;
     });
