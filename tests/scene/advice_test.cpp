@@ -32,10 +32,15 @@ const test::Folder& folder() {
     return of_all;
 }
 
-/// \p text with \p line below the header of \p section, in place of a line of the same key; the section is made where
-/// it is not.
+/// \p text with \p line below the header of \p section, in place of a line of the same key, or in its inline table; the
+/// section is made where it is not.
 std::string with_line(const std::string& text, const std::string& section, const std::string& line) {
-    const std::string key = line.substr(0, line.find(' '));
+    const std::string key = line.substr(0, line.find(' ')),
+                      name = std::regex_replace(section.substr(1, section.size() - 2), std::regex("\\."), "\\.");
+    std::smatch inline_table;
+    if (std::regex_search(text, inline_table, std::regex("\n" + name + " *= *\\{")))
+        return std::string(inline_table.prefix()) + inline_table.str() + " " +
+               std::regex_replace(line, std::regex("\n"), ", ") + "," + std::string(inline_table.suffix());
     std::smatch header;
     if (!std::regex_search(
             text, header, std::regex("\n" + std::regex_replace(section, std::regex("[\\[\\].]"), "\\$&") + "[^\n]*\n")))
