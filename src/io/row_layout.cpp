@@ -143,15 +143,18 @@ std::pair<std::size_t, bool> plain_rows(const NumberTable& table) {
 }  // namespace
 
 bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& cells) {
-    bool number = false;
+    bool number = false, gap = false;
     for (std::size_t c = 0; c < cells.size(); ++c) {
         if (c < table.words.size() && table.words[c]) continue;
         if (is_number(cells[c]))
             number = true;
         else if (!is_gap(cells[c]))
             return false;
+        else
+            gap = gap || !cells[c].empty();
     }
-    return number;
+    const bool ornament = cells.size() == 1 && (cells[0].front() == '-' || cells[0].front() == '*');
+    return number || (gap && !ornament);
 }
 
 void refuse_units_in_cells(const NumberTable& table, const std::string& name) {

@@ -120,7 +120,7 @@ bool is_points_json(std::string_view bytes) {
     skip();
     if (bytes.starts_with('{')) {
         const std::string_view head = bytes.substr(0, 4096);
-        return head.find("\"fstiff_version\"") == head.npos &&
+        return bytes.find("\"fstiff_version\"") == bytes.npos &&
                (head.find("\"x\"") < head.size() || head.find("\"X\"") < head.size() || head.find("[[") < head.size());
     }
     if (!bytes.starts_with('[')) return false;

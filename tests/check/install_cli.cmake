@@ -15,7 +15,7 @@ function(same file)
 endfunction()
 
 execute_process(COMMAND ${PREFIX}/bin/fstiff help OUTPUT_VARIABLE help COMMAND_ERROR_IS_FATAL ANY)
-string(REGEX REPLACE "^.*\nCompute:\n(.*)\nUnits.*$" "\n\\1" listed "${help}")
+string(REGEX REPLACE "^.*\nCompute:\n(.*)\nExit codes.*$" "\n\\1" listed "${help}")
 string(REGEX MATCHALL "\n  [a-z]+" commands "${listed}")
 list(TRANSFORM commands STRIP)
 list(APPEND commands "measure --show fit" "measure --show islands" "measure --show spectrum")

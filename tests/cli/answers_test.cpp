@@ -102,8 +102,8 @@ TEST_CASE("The C interface reflects, identifies and exports what the command doe
         return fstiff_identify(scene.c_str(), scene.size(), file.c_str(), nullptr,
                                ("law = plastic\nfit = sigma,offset\nmeasured = " + measured).c_str(), made);
     });
-    const auto fit = test::run_fstiff("identify '" + file + "' --law plastic --fit sigma,offset --measured '" + measured +
-                                      "' --format json");
+    const auto fit = test::run_fstiff("identify '" + file + "' --law plastic --fit sigma,offset --measured '" +
+                                      measured + "' --format json");
     CHECK(text_of(found) == fit.out);
     CHECK(numbers_at(found, "fits.0.covariance").size() == 4);
     CHECK(fstiff_document_is_doubtful(found.get()) == (fit.status == 4));

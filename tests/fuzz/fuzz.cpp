@@ -62,7 +62,7 @@ void fuzz_text(const std::string& bytes, bool is_profile) {
         io::Surface found;
         if (!returns([&] { found = io::read_surface(bytes, "file", options); })) continue;
         std::visit([](const auto& data) { data.validate(2); }, found.data);
-        require(!is_profile || found.record.details.size() >= 6, "six sentences");
+        require(!is_profile || found.record.details.size() >= 5, "five sentences");
         for (const io::MapForm form : {io::MapForm::matrix, io::MapForm::triples}) {
             std::ostringstream output;
             if (!returns([&] {

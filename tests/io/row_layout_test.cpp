@@ -101,9 +101,13 @@ TEST_CASE("Lines after the rows are no rows") {
         check({{"footer", plain + end, um()}});
     }
     check({
-        {"many", titles + rows("{x};{z}\n", 100) + rows("n{i};0.5\n", 80),
+        {"many",
+         titles + rows("{x};{z}\n", 100) + rows("n{i};0.5\n", 80),
          {.dx = 0.5e-6, .warnings = {"80 lines after the rows, from line 102 on, are not read"}, .size = 100}},
         {"more than the rows", titles + "1;2\n" + rows("n{i};0.5\n"), refused("no spacing")},
+        {"a last row of missing points",
+         "Width: 5 um\nHeight: 5 um\nunit: um\n" + matrix(" ") + "nan nan nan nan nan\n",
+         {.dx = 1e-6, .size = 25, .rows = 5, .missing = {20, 21, 22, 23, 24}}},
         {"noted", plain + "EOF\nRa;0.4\n", um({"; 2 lines after the rows not used (\"EOF\")\n"})},
         {"with names", "n;x [um];z [um]\n" + rows("P{i};{x};{z}\n") + "Mean;4.75;0.6\nmax;9.5;1.6\n", um()},
         {"matrix", "Width: 5 um\nHeight: 4 um\nunit: um\n" + matrix(" ") + "EOF\n", map(1e-6, 1e-6, 1e-6)},
