@@ -168,6 +168,22 @@ ComputedCurve computed_curve(const Cells& cells, const CurveHeader& header) {
     return curve;
 }
 
+/// Takes away the lines after the rows, such as "EOF" or "Mean;0.5": a word is where the pressure or the frequency is.
+void drop_results(std::vector<text::Line>& lines, const CurveHeader& header, MeasuredCurve& curve) {
+    const auto& column = header.of(header.of(CurveColumn::pressure) ? CurveColumn::pressure : CurveColumn::frequency);
+    if (header.computed() || !column) return;
+    const std::size_t all = lines.size();
+    Cells cells;
+    for (; lines.size() > header.rows + 1; lines.pop_back()) {
+        if (text::is_comment(lines.back().text)) break;
+        text::split_line(lines.back().text, header.separator, cells);
+        const std::string_view cell = column->index < cells.size() ? cells[column->index] : cells.front();
+        if (cell.empty() || cell.find_first_of("0123456789") < cell.size()) break;
+    }
+    if (const std::size_t left = all - lines.size(); left > 0)
+        curve.decisions.push_back(std::to_string(left) + (left == 1 ? " line" : " lines") + " after the rows not used");
+}
+
 }  // namespace
 
 std::vector<MeasuredPoint> MeasuredCurve::points_of(const ComputedCurve& wanted) const {
@@ -185,10 +201,11 @@ MeasuredCurve read_measured_curve(const std::string& file) {
     curve.sha256 = document::sha256(bytes);
     const std::string content = text::text_of(bytes, curve.name, "the columns pressure and stiffness or reflection");
     std::size_t count = 0;
-    const auto lines = text::lines_of(content, curve.name, count);
+    auto lines = text::lines_of(content, curve.name, count);
     if (lines.empty()) throw domain_error(curve.name + ": holds blank lines only; " + std::string(must_name_columns));
     const auto where = [&](const text::Line& line) { return curve.name + ":" + std::to_string(line.number) + ": "; };
     const CurveHeader header = read_header(lines, curve);
+    drop_results(lines, header, curve);
     // of all rows: a point in one of them is then refused, for it may separate thousands
     const bool decimal_comma = has_decimal_comma(lines, header);
     curve.is_reflection = header.is_reflection();

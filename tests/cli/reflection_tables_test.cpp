@@ -56,6 +56,7 @@ const Table tables[] = {
     {"Italian in Latin-1, and a stress", "sigma_n [MPa];coefficiente di riflessione\n10;0.9\n20;0.8\n"},
     {"blanks", "p [MPa]  R\n10   0.9\n20   0.8\n"},
     {"numpy.savetxt", "# p_MPa R\n1.0e+01 9.0e-01\n2.0e+01 8.0e-01\n"},
+    {"lines after the rows", "pressure [MPa],reflection\n10,0.9\n20,0.8\nMean,0.85\nEOF\n"},
     {"a row without load", "pressure [MPa],reflection\n0,1\n10,0.9\n20,0.8\n"},
     {"rows of units", "Pressure;Reflection\nMPa;-\n10;0,9\n20;0,8\n"},
     {"an instrument's head", "Instrument;X 5\nOperator;me\nDate;2024-05-01\n\nPressure [MPa];R\n10;0,9\n20;0,8\n"},
