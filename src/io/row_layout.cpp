@@ -39,9 +39,13 @@ bool is_gap(std::string_view cell) { return cell.empty() || is_missing_word(cell
 
 /// Whether \p line holds digits, signs and separators alone, so that it need not be cut into cells.
 bool is_plain(std::string_view line) {
-    return std::all_of(line.begin(), line.end(), [](char c) {
-        return is_digit(c) || std::string_view("+-.,;| \t\reEdD\"").find(c) != std::string_view::npos;
-    });
+    static constexpr auto plain = [] {
+        std::array<bool, 256> table{};
+        for (const char c : std::string_view("0123456789+-.,;| \t\reEdD\""))
+            table[static_cast<unsigned char>(c)] = true;
+        return table;
+    }();
+    return std::all_of(line.begin(), line.end(), [](char c) { return plain[static_cast<unsigned char>(c)]; });
 }
 
 /// The word of a result below a table: "Mean", "Ra".
