@@ -184,13 +184,13 @@ FSTIFF_INLINE const Law& proportional() {
     return row;
 }
 
-inline constexpr std::array<ChosenLaw, 13> all{laws::fractal,       laws::fractal_consistent,
-                                               laws::hertz,         laws::greenwood_williamson,
-                                               laws::hybrid,        laws::persson,
-                                               laws::summits,       laws::plastic,
-                                               laws::plastic_peaks, laws::jackson_green,
-                                               laws::kogut_etsion,  laws::boundary_elements,
-                                               laws::proportional};
+inline constexpr std::array all{laws::fractal,       laws::fractal_consistent,
+                                laws::hertz,         laws::greenwood_williamson,
+                                laws::hybrid,        laws::persson,
+                                laws::summits,       laws::plastic,
+                                laws::plastic_peaks, laws::jackson_green,
+                                laws::kogut_etsion,  laws::boundary_elements,
+                                laws::proportional};
 
 }  // namespace law_rows
 

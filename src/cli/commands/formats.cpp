@@ -35,7 +35,8 @@ document::Document formats() {
         document.line("needs", row.asked);
     }
     document.line(
-        "\nThe first twenty-three are profiles and maps, for measure, truth and run --surface. The name of a file\n"
+        "\nThe first " + std::to_string(io::detail::readers().size()) +
+        " are profiles and maps, for measure, truth and run --surface. The name of a file\n"
         "is not used; --input-format overrides what was recognised. Text may be UTF-8, UTF-16 with a byte\n"
         "order mark, or of an 8-bit code page. Export files of other instruments from their own program, or convert\n"
         "them to X3P by a line of Python (docs/formats.md).");
