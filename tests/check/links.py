@@ -19,17 +19,21 @@ def blank(found):
     return re.sub(r"[^\n]", " ", found[0])
 
 
-def anchors(text):
-    """The anchors of the headings: their words in small letters, joined by hyphens, and numbered where one comes again."""
+def anchor_names(titles):
+    """The anchors of headings: their words in small letters, joined by hyphens, and numbered where one comes again."""
     found = set()
-    for title in HEADING.findall(FENCED.sub(blank, text)):
+    for title in titles:
         title = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", title)
         name = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
         count = 0
         while (one := f"{name}-{count}" if count else name) in found:
             count += 1
         found.add(one)
-    return found
+        yield one
+
+
+def anchors(text):
+    return set(anchor_names(HEADING.findall(FENCED.sub(blank, text))))
 
 
 def problems(root):

@@ -25,7 +25,7 @@ import sysconfig
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NANOBIND = ["nanobind>=2.4", "typing_extensions"]  # the latter for the stubs of Python 3.10
 NEEDED = [*NANOBIND, "numpy", "pytest"]
-WANTED = ["pandas", "ruff", "clang-format==14.0.6"]  # the last two for tests/check
+WANTED = ["pandas", "ruff", "clang-format==14.0.6", "markdown-it-py"]  # the last three for tests/check
 MORE = ["xarray", "pint", "astropy", "matplotlib", "scipy", "mypy", "py-rattler-build"]  # the last for tests/packaging
 # needed, wanted: what takes half of the time to install, and serves few tests; distributed and pyarrow for examples/sweeps
 OF_WHEELS = (["scikit-build-core>=0.11", "build"],
