@@ -169,7 +169,8 @@ def missing_files(root):
     absent = [] if (root / "../shared").exists() else ["../shared/"]  # measured files that a clone alone does not have
     for paths, letters, in_code in ((documents, "[\\w.*/-]", False), (code, "[\\w./-]", True)):
         for path in sorted(paths):
-            for name in {name.rstrip("./-"): None for name in re.findall(f"{letters}*/{letters}*", read(path), re.A)}:
+            text = re.sub(r"(?ms)^```diff$.*?^```$", "", read(path))  # a patch names what it adds
+            for name in {name.rstrip("./-"): None for name in re.findall(f"{letters}*/{letters}*", text, re.A)}:
                 if any(folder in name for folder in absent):
                     continue
                 if (patterns := places(name, in_code)) and not any(glob.glob(str(root / where)) for where in patterns):
