@@ -137,6 +137,19 @@ def test_the_programs_of_sweeps_give_what_their_document_shows(root, folder, com
     assert paths[0] == paths[1] or version not in drawn
 
 
+def test_the_pressures_of_a_form_are_those_of_the_command(root, tmp_path):
+    """The equations of a joint with a form, solved by numpy, against the greatest pressures and the touching shares of `fstiff run`."""
+    pytest.importorskip("matplotlib")
+    program = [sys.executable, root / "examples/joint/pressure_of_form.py", "--points", "24", "--picture", "joint.svg"]
+    done = subprocess.run(program, capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    rows = [[float(number) for number in re.findall(r"\d+\.\d+", line)] for line in done.stdout.splitlines()[1:]]
+    assert len(rows) == 3
+    for greatest, share, own_greatest, own_share in rows:
+        assert greatest == pytest.approx(own_greatest, rel=0.01) and share == pytest.approx(own_share, abs=0.03), done.stdout
+    assert "<path" in (tmp_path / "joint.svg").read_text("utf-8")
+
+
 def test_the_example_draws_its_picture(root, tmp_path):
     pytest.importorskip("matplotlib")
     done = subprocess.run(
