@@ -336,28 +336,33 @@ def picture(judge):
     """The laws and the band over the simulated stiffness, and the answer over each measured conductance."""
     laws = {"hybrid": ("#1d1d1f", "#ececf1", "circle"), "persson": ("#c25700", "#ffb074", "square"),
             "hertz": ("#b3261e", "#ff8a80", "triangle")}
-    out = Picture(900, 860, "Computed over simulated stiffness, and over measured conductance", list(laws.values()))
-    one = {value: str(value) for value in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20)}
+    out = Picture(900, 890, "Computed over simulated stiffness, and over measured conductance", list(laws.values()))
+    one = {value: str(value) for value in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100)}
     simulated = list(judge.gfmd_stiffness())
     out.text(80, 28, "Stiffness of a Gaussian surface: law over simulation", 'class="title"')
-    place = out.frame(80, 48, 600, 260, Axis("p* = p/(E g), pressure over modulus times rms gradient", 0.0009, 0.75,
+    place = out.frame(80, 48, 780, 260, Axis("p* = p/(E g), pressure over modulus times rms gradient", 0.0009, 0.75,
                                              {p: str(p) for p in (0.001, 0.01, 0.03, 0.1, 0.3, 0.6)}),
                       Axis("K over K of the simulation", 0.05, 2.5, {value: text for value, text in one.items() if value < 5}), strong=1)
     out.polygon("band m0", [place(row[0], row[-1]) for row in simulated] + [place(row[0], row[-2]) for row in simulated[::-1]])
     for i, law in enumerate(laws):
         out.curve(i, [place(row[0], row[2 + i]) for row in simulated])
-        out.sample(i, 704, 66 + 26 * i, law)
-    out.text(704, 66 + 26 * len(laws), "shade: 90 % band")
+        out.sample(i, 100, 210 + 26 * i, law)
+    out.rectangle("band m0", 190, 201, 26, 18)
+    out.text(224, 214, "answer, 90 % band")
 
     joints = list(judge.joints())
     out.text(80, 396, "Conductance of metal joints: answer over measurement, with its 90 % band", 'class="title"')
-    place = out.frame(420, 416, 440, 20 * len(joints), Axis("h over measured h; orange: the band does not contain the measurement", 0.05, 30, one),
-                      Axis("", len(joints), 0, {}, logarithmic=False), strong=1)
+    across = Axis("h over measured h", 0.05, 200, one)
+    place = out.frame(420, 416, 440, 20 * len(joints), across, Axis("", len(joints), 0, {}, logarithmic=False), strong=1)
     for i, (row, _, pressure, *_, (value, low, high)) in enumerate(joints):
         middle, look = i + 0.5, 0 if low <= 1 <= high else 1
+        if not across.low < low < high < across.high:
+            raise ValueError(f"{joint_of(row)}: the band, {span(low, high)}, must be inside the axis of {PICTURE.name}")
         out.text(412, place(1, middle)[1] + 4, f"{joint_of(row)}, {number(pressure)} MPa", 'text-anchor="end" class="small"')
         out.curve(look, [place(low, middle), place(high, middle)], markers=False)
         out.markers(look, [place(value, middle)])
+    for look, x, text in ((0, 80, "the band contains the measurement"), (1, 400, "the band does not contain it")):
+        out.sample(look, x, 416 + 20 * len(joints) + 84, text)
     return out
 
 

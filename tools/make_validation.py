@@ -108,10 +108,8 @@ def picture_of_families(rows):
 MAP_LAWS = ("hybrid", "summits", "persson", "hybrid of numbers", "p/(0.48 rms height)")
 LIGHT = (0.001, 0.01)  # least and greatest p*; heavy is above
 GOOD = 0.15  # the shaded band
-PANELS = (  # law, what, across
-    ("hybrid", "hybrid of the map", Axis("", 0.65, 1.55, marks(0.7, 0.85, 1, 1.15, 1.3, 1.5))),
-    ("hybrid of numbers", "hybrid of σ, g and alpha alone", Axis("", 0.12, 4, marks(0.15, 0.25, 0.5, 1, 2, 3))),
-)
+PANELS = (("hybrid", "hybrid of the map"), ("hybrid of numbers", "hybrid of σ, g and alpha alone"))  # law, what
+ACROSS = Axis("", 0.12, 4, marks(0.15, 0.25, 0.5, 1, 2, 3))  # of both panels, which are compared
 LOADS = (  # look; what, how far above or below the middle of the row
     (("#0b57a4", "#7db8ff", "circle"), "light loads, p* of 0.001 to 0.01", -5.5),
     (("#c25700", "#ffb074", "square"), "heavy loads, p* of 0.03 to 0.25", 5.5),
@@ -174,13 +172,13 @@ def picture_of_maps(rows):
     title = f"Stiffness at equal pressure: law over boundary elements, {len(kinds)} kinds of maps"
     out = Picture(left + 2 * width + gap + 20, top + height + 96, title, [look for look, *_ in LOADS] + [("#1b7f54", "#5ccf97", "")])
     out.text(20, 32, title, 'class="title"')
-    for k, (law, what, across) in enumerate(PANELS):
+    for k, (law, what) in enumerate(PANELS):
         x = left + k * (width + gap)
-        band = [x + width * across.share(1 + sign * GOOD) for sign in (-1, 1)]
+        band = [x + width * ACROSS.share(1 + sign * GOOD) for sign in (-1, 1)]
         out.rectangle("m2 band", band[0], top, band[1] - band[0], height)
         out.text(x, top - 12, f"{what}: {share([r for r in rows if r['law'] == law], GOOD)} within {100 * GOOD:.0f} %")
         up = {row + 0.5: "" if k else kind for row, kind in enumerate(kinds)}
-        place = out.frame(x, top, width, height, across, Axis("", len(kinds), 0, up, False), strong=1)
+        place = out.frame(x, top, width, height, ACROSS, Axis("", len(kinds), 0, up, False), strong=1)
         for row, kind in enumerate(kinds):
             for i, (ratios, (_, _, off)) in enumerate(zip(by_load(rows, kind, law), LOADS)):
                 at = [place(f(ratios), row + 0.5 + off / pitch) for f in (min, statistics.median, max)]
