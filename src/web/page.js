@@ -244,13 +244,13 @@ function show(document_, begun) {
     }
     URL.revokeObjectURL($("picture").src);
     $("picture").src = URL.createObjectURL(new Blob([made["picture.svg"]], { type: "image/svg+xml" }));
-    $("picture").alt = `K against pressure. ${(document_.explanation || [""])[0]}`;
+    $("picture").alt = `K/A₀ against pressure. ${(document_.explanation || [""])[0]}`;
     $("elements").hidden = !byName();
     showDownloads();
     $("answer").hidden = false;
     $("answer").dataset.milliseconds = Math.round(performance.now() - begun);
     const middle = answer[Math.floor(answer.length / 2)];
-    $("said").textContent = middle ? `Done. At ${rounded(middle.pressure_Pa / 1e6, 3)} MPa K is ${rounded(middle.stiffness_Pa_per_m / 1e12, 3)} MPa/µm.` : "Done.";
+    $("said").textContent = middle ? `Done. At ${rounded(middle.pressure_Pa / 1e6, 3)} MPa K/A₀ is ${rounded(middle.stiffness_Pa_per_m / 1e12, 3)} MPa/µm.` : "Done.";
 }
 
 async function makeExample() {
