@@ -97,6 +97,14 @@ class Picture:
         return place
 
 
+def themed(text):
+    """An SVG that matplotlib drew in black on white, as one that follows the light or dark surroundings."""
+    ink = lambda colour: f"svg{{color:{colour};fill:{colour}}}"
+    rules = f"{ink('#1d1d1f')}.back{{fill:#ffffff}}@media (prefers-color-scheme:dark){{{ink('#ececf1')}.back{{fill:#16161a}}}}"
+    text = text.replace("#ffffff", "none").replace("#000000", "currentColor").replace("#010203", "currentColor")  # the last: INK of the package
+    return re.sub(r"(<svg [^>]*>)", rf'\1\n <style>{rules}</style>\n <rect class="back" width="100%" height="100%"/>', text, count=1)
+
+
 def legendre(points, tolerance, number=float, cosine=lambda share: math.cos(math.pi * share)):
     """Nodes and weights of Gauss and Legendre on (-1, 1), by Newton's method; cosine: of a share of pi."""
     rule = []

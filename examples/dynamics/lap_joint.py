@@ -147,14 +147,16 @@ def picture(name, lines):
 
     plt.rcParams.update({"font.size": 10, "svg.hashsalt": "fstiff", "axes.spines.top": False, "axes.spines.right": False})
     figure, panels = plt.subplots(1, 2, figsize=(8.6, 3.6), layout="constrained")
-    for ax, column, unit, label in zip(panels, (0, 1), (1, 100), ("frequency of the first mode [Hz]", "damping ratio by friction [%]")):
-        for (faces, rows), colour in zip(lines.items(), ("#52627a", "#c2410c")):
+    titles, labels = ("First mode", "Damping by friction"), ("frequency [Hz]", "damping ratio [%]")
+    for ax, column, unit, title, label in zip(panels, (0, 1), (1, 100), titles, labels):
+        for (faces, rows), colour in zip(lines.items(), ("#2f80d0", "#d1453b")):
             x = rows[0.5][:, 2]
             ends = [np.interp(x, row[:, 2], row[:, column] * unit) for row in rows.values()]
             ax.fill_between(x, np.min(ends, axis=0), np.max(ends, axis=0), color=colour, alpha=0.2, linewidth=0)
             ax.plot(x, rows[0.5][:, column] * unit, color=colour, linewidth=1.8, label=faces)
         ax.set(xscale="log", yscale=("linear", "log")[column], xlabel="acceleration of the tip [m/s²]", ylabel=label)
-        ax.grid(color="#e2e6ea", linewidth=0.6)
+        ax.set_title(title, fontsize=10, fontweight="bold")
+        ax.grid(color="#8a8a92", alpha=0.3, linewidth=0.6)
     panels[1].legend(frameon=False, title="line: K, band: 5 to 95 %", alignment="left")
     figure.savefig(name, dpi=160, metadata={"Date": None} if name.endswith(".svg") else None)
 

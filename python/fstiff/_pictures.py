@@ -182,6 +182,9 @@ def draw_fits(ax: Axes | None, found: Table[Any]) -> Axes:
     by_x, by_y = (heading(key, np.concatenate([line[i] for line in lines]))[1] for key, i in (("pressure_Pa", 1), (y, 2)))
     error = [row["error"] * by_y for row in rows] if found["measured"]["has_errors"] else None
     p, values = ([row[key] * by for row in rows] for key, by in (("pressure_Pa", by_x), (y, by_y)))
-    ax.errorbar(p, values, error, fmt="o", ms=4, color="grey", capsize=3, label="measured" + (", ± standard error" if error else ""))
+    import matplotlib
+
+    ink = matplotlib.rcParams["text.color"]  # over the curves
+    ax.errorbar(p, values, error, fmt="o", ms=3, color=ink, capsize=4, elinewidth=1.2, zorder=3, label="measured" + (", ± standard error" if error else ""))
     ax.legend(fontsize="small")
     return ax

@@ -236,7 +236,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
                       {"name", "surface", "material", "contact", "persson", "boundary_elements", "ultrasound", "gap",
                        "friction", "uncertainty", "output"});
     scene.name = document::name_of_path(document::path_of(file).stem());
-    if (const auto* name = top.find("name")) scene.name = source.text(*name, "name");
+    if (const auto* name = top.find("name")) scene.name = source.text(*name, "name"), scene.named = true;
     const bool replaced = from.measured || !surface.empty();
     if (from.surface_of) {
         scene.joint.face = from.surface_of->joint.face;
@@ -248,6 +248,7 @@ Scene read_table(const toml::table& root, const SceneSource& from, bool builtin)
     } else {
         take_surface(source, from, root["surface"].as_table(), scene);
         // no longer what the scene was named for
+        scene.named = false;
         const std::string& measured = scene.measured.front()->file;
         scene.name = measured.find(',') == std::string::npos
                          ? document::name_of_path(document::path_of(measured).filename())

@@ -77,6 +77,7 @@ struct Scene {
     Joint given;  ///< as it is written; of two rough faces without these
     detail::ResolvedJoint joint;
     std::string name;
+    bool named = false;  ///< by its key name, and not by its file
     std::string file;    ///< as given, or "built-in scene"
     std::string sha256;  ///< of the text of the scene
 

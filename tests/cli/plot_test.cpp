@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/command.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <sstream>
 
 namespace plot_test {
 
@@ -84,7 +86,7 @@ TEST_CASE("run --plot draws the numbers of run, their band, the reference line a
             same(drawn[4 + law].low.at(k), "reflection_p05", 1);
             same(drawn[4 + law].high.at(k), "reflection_p95", 1);
         }
-    CHECK(drawn[3].label == "p/(0.48 σ)");
+    CHECK(drawn[3].label == "linear law, elastic: p/(0.48 σ)");
     for (std::size_t i = 0; i < drawn[3].x.size(); ++i)
         CHECK(std::abs(drawn[3].y[i] * unit_of_picture * 0.48 * 0.832e-6 / (drawn[3].x[i] * 1e6) - 1) < 1e-14);
 
@@ -154,9 +156,9 @@ const std::string range = "pressures = { from = \"0.1 MPa\", to = \"100 MPa\", c
 TEST_CASE("The numbers of an axis are powers of ten or plain, never both") {
     const Folder folder;
     const std::string picture = drawn(folder, replaced(elastic(), "from = \"0.1 MPa\"", "from = \"1 kPa\""));
-    // K from 1 to 1e6 kPa/um: its axis needs a power somewhere, so that 10 is one too
-    CHECK(contains(picture, "text-anchor=\"end\">10¹<"));
-    CHECK_FALSE(contains(picture, "text-anchor=\"end\">10<"));
+    // K from 1 to 1e6 kPa/um: its axis needs a power somewhere, so that 100 is one too
+    CHECK(contains(picture, "text-anchor=\"end\">10²<"));
+    CHECK_FALSE(contains(picture, "text-anchor=\"end\">100<"));
     // and 0 of |R| has the decimals of its neighbours
     CHECK(contains(picture, "text-anchor=\"end\">0.0<"));
     CHECK(contains(picture, "text-anchor=\"end\">0.2<"));
@@ -190,6 +192,67 @@ TEST_CASE("The law is marked where it changes") {
     CHECK(contains(plot, ">boundary_elements<"));
 }
 
+TEST_CASE("A title says what is shown, and one legend inside the frame names every line once") {
+    const Folder folder;
+    const std::string picture = drawn(folder, read(scene_file));
+    CHECK(contains(picture, "class=\"title\">Contact stiffness: sand blasted (fine) on steel<"));
+    CHECK(all_between(picture, "<g class=\"legend\"", "</g>").size() == 1);  // |R| has the same lines
+    for (const char* name : {">answer (plastic)", ">hertz, theta", ">linear law, elastic: p/(0.48 σ)<"})
+        CHECK(all_between(picture, name, "/text").size() == 1);
+    const std::string frame = all_between(picture, "<rect class=\"frame\" ", "/>").at(0),
+                      place = all_between(picture, "<g class=\"legend\" transform=\"translate(", ")").at(0),
+                      veil = all_between(picture, "<rect class=\"veil\" ", "/>").at(0);
+    const auto size = [](const std::string& rectangle, const std::string& of) {
+        return std::stod(rectangle.substr(rectangle.find(" " + of + "=\"") + of.size() + 3));
+    };
+    const double x = std::stod(place), y = std::stod(place.substr(place.find(' ')));
+    CHECK(x > 0);
+    CHECK(y > 0);
+    CHECK(x + size(veil, "width") < size(frame, "width"));
+    CHECK(y + size(veil, "height") < size(frame, "height"));
+    // no line and no band passes there: the legend is in the upper left corner
+    for (const std::string& path : all_between(plots(picture).at(0), "<path class=\"", "/>")) {
+        std::istringstream points(path.substr(path.find(" d=\"M") + 5));
+        for (char letter = 'L'; letter == 'L'; points >> letter) {
+            double at_x = 0, at_y = 0;
+            points >> at_x >> at_y;
+            CHECK((at_x > x + size(veil, "width") || at_y > y + size(veil, "height")));
+        }
+    }
+    const std::string unnamed =
+        drawn(folder, replaced(read(scene_file), "name = \"sand blasted (fine) on steel\"", ""));
+    CHECK(contains(unnamed, "class=\"title\">Contact stiffness against pressure<"));
+}
+
+TEST_CASE("A short legend takes a free corner, and the frame stays as it is") {
+    const Folder folder;
+    const std::string scene =
+        "[surface]\nSq = \"0.8 um\"\nSdq = 0.1\nskewness = 0\nkurtosis = 3\nalpha = 10\nhurst = 0.8\n"
+        "[material]\nupper = { name = \"steel\", hardness = \"infinite\" }\n"
+        "[contact]\npressures = [\"1 kPa\", \"100 MPa\"]\n";
+    CHECK(contains(all_between(drawn(folder, scene), "<rect class=\"frame\" ", "/>").at(0), "height=\"360\""));
+}
+
+TEST_CASE("The conductance of the gap is in the panel of the spots") {
+    const Folder folder;
+    const std::string picture = drawn(folder, read(FSTIFF_SCENES "/../examples/interface/heat_sink.toml"));
+    CHECK(plots(picture).size() == 2);
+    CHECK(contains(picture, ">Thermal conductance of the spots and of the gap<"));
+    CHECK(contains(picture, ">gap, answer (plastic)<"));
+    const Csv table(run_fstiff("run '" + folder / "scene.toml" + "' --format csv").out);
+    const auto all = curves(folder / "out.plot.csv");
+    REQUIRE(all.size() >= 4);
+    for (const auto& [label, column] : {std::pair("spots, answer (plastic)", "thermal_conductance_W_per_m2K"),
+                                        {"gap, answer (plastic)", "thermal_conductance_gap_W_per_m2K"}}) {
+        const auto curve = std::find_if(all.begin(), all.end(), [&](const Drawn& one) { return one.label == label; });
+        REQUIRE(curve != all.end());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t k = place_of(table.number(i, "pressure_Pa") / 1e6, *curve);
+            CHECK(std::abs(curve->y.at(k) / table.number(i, column) - 1) < 1e-12);
+        }
+    }
+}
+
 TEST_CASE("No reflection is drawn on the frame") {
     const Folder folder;
     // 1 MHz and 0.1 MPa: |R| is 0.9987 and 0.9998; the frame of 240 has room above 1
@@ -219,7 +282,9 @@ TEST_CASE("Of many curves the first are drawn, and long names are broken", "[mor
     for (int k = 0; k < 40; ++k) name += "sample ";
     text = replaced(replaced(text, "sand blasted (fine) on steel", name + "end"), "count = 31", "count = 5");
     const std::string picture = drawn(folder, text);
-    CHECK(contains(picture, "8 of 21 curves are drawn"));
+    std::string note;
+    for (const std::string& line : all_between(picture, "class=\"small\">", "<")) note += line + " ";
+    CHECK(contains(note, "8 of 21 curves are drawn"));
     std::vector<std::string> looks = all_between(plots(picture).at(0), "<path class=\"line ", "\"");
     CHECK(looks.size() == 9);  // and p/(0.48 sigma)
     std::sort(looks.begin(), looks.end());
@@ -241,7 +306,7 @@ TEST_CASE("At one pressure the curves are marks with bars") {
     CHECK_FALSE(contains(picture, "± error"));
     const auto rows = curves(folder / "out.plot.csv");
     REQUIRE(rows.size() == 7);
-    CHECK(rows[3].label == "p/(0.48 σ)");
+    CHECK(rows[3].label == "linear law, elastic: p/(0.48 σ)");
     for (const auto& row : rows) CHECK(row.x == std::vector<double>{10});
 }
 

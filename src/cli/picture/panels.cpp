@@ -107,6 +107,24 @@ Panel panel_of(const std::vector<DrawnCurve>& curves, const AnswerQuantity& quan
     return panel;
 }
 
+/// The lines of \p gap next to those of the \p spots, which are parallel to it.
+void add_gap(Panel& spots, Panel gap) {
+    const auto named = [](PlotLine& line, const std::string& part) {
+        if (!line.label.empty()) line.label = part + line.label;
+    };
+    const int colours = 1 + std::max_element(spots.lines.begin(), spots.lines.end(), [](const auto& a, const auto& b) {
+                                return a.colour < b.colour;
+                            })->colour;
+    for (PlotLine& line : spots.lines) named(line, "spots, ");
+    for (PlotLine& line : gap.lines) {
+        named(line, "gap, ");
+        line.colour = (line.colour + colours) % neutral;
+        spots.lines.push_back(std::move(line));
+    }
+    spots.title += " and of the gap";
+    spots.height = gap.height + 60;
+}
+
 /// |R| of \p panel: the frame leaves room about 0 and 1; what is all close to one of them fills it.
 void frame_reflection(Panel& panel) {
     double least = 1, greatest = 0;
@@ -150,7 +168,7 @@ Panel stiffness_panel(const detail::ResolvedJoint& problem, const std::vector<Dr
             before = point->law, last = p;
         }
     // a straight line on logarithmic axes: two points are enough
-    PlotLine reference{.label = "p/(0.48 σ)", .colour = neutral};
+    PlotLine reference{.label = "linear law, elastic: p/(0.48 σ)", .colour = neutral};
     for (const double p : {least, most}) {
         if (!(p > 0) || (!reference.x.empty() && least == most)) continue;
         reference.x.push_back(p * units.at("Pa").factor);
@@ -201,7 +219,7 @@ Figure results_figure(const Answered& answered, const std::optional<Answered>& b
     for (std::size_t k = most_curves; k < count; ++k)
         if (is_truth(*curves[k].own)) std::swap(curves[k], curves[most_curves - 1]);
     const actions::Units units = units_of(answered);
-    Figure figure{.title = "Contact stiffness: " + scene.name,
+    Figure figure{.title = scene.named ? "Contact stiffness: " + scene.name : "Contact stiffness against pressure",
                   .explanation = answered.short_explanation,
                   .panels = {stiffness_panel(scene.joint, curves, units)},
                   .note = "fstiff " FSTIFF_VERSION_TEXT ", " + scene.file +
@@ -215,9 +233,12 @@ Figure results_figure(const Answered& answered, const std::optional<Answered>& b
     for (const bool of_waves : {true, false})  // which are next to the range of K that they resolve
         for (const AnswerQuantity& quantity : answer_quantities()) {
             if (quantity.title.empty() || is_reflection(quantity) != of_waves || !scene.asks(quantity.word)) continue;
-            figure.panels.push_back(
-                panel_of(curves, quantity, std::string(quantity.title) + (of_waves ? waves : ""), units));
-            if (of_waves) frame_reflection(figure.panels.back());
+            Panel panel = panel_of(curves, quantity, std::string(quantity.title) + (of_waves ? waves : ""), units);
+            if (of_waves) frame_reflection(panel);
+            if (!quantity.with.empty())
+                add_gap(figure.panels.back(), std::move(panel));
+            else
+                figure.panels.push_back(std::move(panel));
         }
     return figure;
 }

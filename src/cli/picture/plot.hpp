@@ -5,7 +5,7 @@
 // same bytes.
 //
 // panels.cpp makes the figure of results and its files, reflections.cpp that of measured reflections, svg.cpp draws
-// them by the ticks of scale.hpp.
+// them by the ticks of scale.cpp.
 
 #include "actions/answered.hpp"
 #include "actions/ultrasound.hpp"
@@ -96,6 +96,8 @@ public:
     bool shows(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
     /// 0 at the lower end, 1 at the upper one.
     double operator()(double value) const { return (place(value) - low_) / (high_ - low_); }
+    /// Moves the upper end up by \p share of the length.
+    void extend(double share) { high_ += share * (high_ - low_); }
     double low() const { return logarithmic_ ? std::pow(10.0, low_) : low_; }
     double high() const { return logarithmic_ ? std::pow(10.0, high_) : high_; }
     std::vector<Tick> ticks() const { return logarithmic_ ? decades() : steps(); }

@@ -84,9 +84,9 @@ Figure reflections_figure(const actions::Reflection& reflection) {
     for (const auto& K : converted.stiffness)
         if (K) stiffnesses.push_back(K->value);
     const ShownUnit unit = document::shown_unit(stiffnesses, "Pa/m");
-    Figure figure{.title = "Stiffness from reflections: " + document::printable(converted.curve.name),
-                  .note = "fstiff " FSTIFF_VERSION_TEXT ", impedances " +
-                          document::rounded(reflection.media.incident / 1e6, 4) + " and " +
+    Figure figure{.title = "Stiffness from the reflection of ultrasound",
+                  .note = "fstiff " FSTIFF_VERSION_TEXT ", " + document::printable(converted.curve.name) +
+                          ", impedances " + document::rounded(reflection.media.incident / 1e6, 4) + " and " +
                           document::rounded(reflection.media.beyond / 1e6, 4) + " MRayl"};
     figure.explanation = reflection.warnings;
     if (!converted.loads.empty()) figure.panels.push_back(frequency_panel(converted, unit));

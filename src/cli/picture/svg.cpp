@@ -6,70 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace fstiff::cli {
-
-namespace {
-
-/// 10 to the power \p exponent, in superscript digits.
-std::string power_of_ten(int exponent) {
-    static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char c : std::to_string(std::abs(exponent))) text += digits[static_cast<std::size_t>(c - '0')];
-    return text;
-}
-
-}  // namespace
-
-Scale::Scale(const Axis& axis, const std::vector<double>& values) : logarithmic_(axis.logarithmic) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const double value : values)
-        if (shows(value)) least = std::min(least, value), most = std::max(most, value);
-    if (!(least <= most)) least = logarithmic_ ? 1 : 0, most = logarithmic_ ? 10 : 1;
-    low_ = place(axis.low.value_or(least)), high_ = place(axis.high.value_or(most));
-    // at least two numbers are on a logarithmic axis, and seven digits distinguish those of a linear one
-    const double span = logarithmic_ ? 0.7 : std::max(1e-6 * std::max(std::abs(low_), std::abs(high_)), 1e-300);
-    const double lack = std::max(0.0, span - (high_ - low_)) / 2, space = 0.04 * (high_ - low_ + 2 * lack);
-    low_ -= lack + (axis.low ? 0 : space);
-    high_ += lack + (axis.high ? 0 : space);
-}
-
-std::vector<Tick> Scale::decades() const {
-    std::vector<Tick> result;
-    const double span = high_ - low_;
-    const int every = std::max(1, static_cast<int>(std::ceil(span / 9)));
-    const int first = static_cast<int>(std::floor(low_)), last = static_cast<int>(std::ceil(high_));
-    const bool plain = low_ > -3.5 && high_ < 4.5;  // else all of them are powers
-    for (int k = first; k <= last; ++k)
-        for (int m = 1; m < 10; ++m) {
-            const double exponent = k + std::log10(m);
-            if (exponent < low_ - 1e-9 || exponent > high_ + 1e-9) continue;
-            const bool numbered = m == 1       ? k % every == 0
-                                  : span < 0.8 ? m < 6 || m == 7
-                                               : span < 2 && (m == 2 || m == 5);
-            if (m > 1 && !numbered && span > 4.5) continue;
-            const double value = m * std::pow(10.0, k);
-            result.push_back({value, !numbered ? ""
-                                     : plain   ? detail::fixed_text(value, std::max(0, -k))
-                                     : m == 1  ? power_of_ten(k)
-                                               : std::to_string(m) + "·" + power_of_ten(k)});
-        }
-    return result;
-}
-
-std::vector<Tick> Scale::steps() const {
-    const double raw = (high_ - low_) / 6, decade = std::pow(10.0, std::floor(std::log10(raw))), part = raw / decade,
-                 width = decade * (part <= 1   ? 1
-                                   : part <= 2 ? 2
-                                   : part <= 5 ? 5
-                                               : 10);
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(width) + 1e-9)));
-    std::vector<Tick> result;
-    for (double k = std::ceil(low_ / width - 1e-9); k * width <= high_ + 1e-9 * width; ++k)
-        result.push_back({k * width, detail::fixed_text(k == 0 ? 0.0 : k * width, decimals)});
-    return result;
-}
 
 namespace {
 
@@ -85,8 +23,8 @@ constexpr std::array<Colour, neutral + 1> palette{{{"c0", "#b3261e", "#ff8a80"},
                                                    {"c6", "#9c2470", "#f59acb"},
                                                    {"c7", "#6b6200", "#e0cf5a"},
                                                    {"cn", "#5f5f66", "#a9a9b2"}}};
-constexpr double left = 84, panel_width = 560, title_height = 26, below = 54, row_height = 24, line_height = 17,
-                 gap = 24;
+constexpr double left = 84, panel_width = 640, title_height = 26, below = 54, row_height = 24, line_height = 17,
+                 margin = 24;
 const std::string small_text = "class=\"small\"", at_middle = "text-anchor=\"middle\"", at_end = "text-anchor=\"end\"";
 
 /// Every rule is under .fstiff: several pictures share a page, and its own rules stay its own.
@@ -98,12 +36,12 @@ std::string style() {
 .fstiff .grid{stroke:#d9d9de}.fstiff .fine{stroke:#eeeef1}
 .fstiff .line{fill:none;stroke-width:2;stroke-linejoin:round}.fstiff .bar{fill:none;stroke-width:1.4}
 .fstiff .dash{stroke-dasharray:7 4}.fstiff .dot{stroke-dasharray:2 4}
-.fstiff .band{stroke:none;opacity:.18}.fstiff .window{fill-opacity:.14;fill:#8a7200}
+.fstiff .veil{fill:#ffffff;fill-opacity:.85}.fstiff .band{stroke:none;opacity:.18}.fstiff .window{fill-opacity:.14;fill:#8a7200}
 )";
     std::string dark = R"(
 .fstiff text{fill:#ececf1}.fstiff .back{fill:#16161a}.fstiff .frame{stroke:#9a9aa2}
 .fstiff .grid{stroke:#3a3a42}.fstiff .fine{stroke:#26262c}
-.fstiff .band{opacity:.26}.fstiff .window{fill-opacity:.18;fill:#ffe28a}
+.fstiff .veil{fill:#16161a}.fstiff .band{opacity:.26}.fstiff .window{fill-opacity:.18;fill:#ffe28a}
 )";
     for (const Colour& colour : palette)
         for (const auto& [rules, value] : {std::pair(&light, colour.light), std::pair(&dark, colour.dark)})
@@ -191,19 +129,22 @@ std::vector<double> values_of(const Panel& panel, bool of_y) {
 struct Drawing {
     explicit Drawing(const Panel& drawn)
         : panel(drawn), x_scale(drawn.x, values_of(drawn, false)), y_scale(drawn.y, values_of(drawn, true)) {}
+    /// Room above the lines.
+    void add_room(double more) { y_scale.extend(more / panel.height), height += more; }
     double x(double value) const { return panel_width * x_scale(value); }
-    double y(double value) const { return panel.height * (1 - y_scale(value)); }
+    double y(double value) const { return height * (1 - y_scale(value)); }
     bool shows(const PlotLine& line, std::size_t i) const {
         return x_scale.shows(line.x[i]) && y_scale.shows(line.y[i]);
     }
 
     const Panel& panel;
     Scale x_scale, y_scale;
+    double height = panel.height;
 };
 
 /// Background of the lines: the shaded window, changes of the law, the grid.
 std::string background(const Drawing& d) {
-    const double height = d.panel.height;
+    const double height = d.height;
     std::string out;
     if (const auto& window = d.panel.window) {
         const double high = std::clamp(d.y(window->high), 0.0, height), low = std::clamp(d.y(window->low), 0.0, height);
@@ -230,7 +171,7 @@ std::string band(const Drawing& d, const PlotLine& line) {
     std::string path, back;
     for (std::size_t i = 0; i < line.low.size(); ++i) {
         const double x = d.x(line.x[i]), high = d.y(line.high[i]),
-                     low = d.y_scale.shows(line.low[i]) ? d.y(line.low[i]) : d.panel.height + 10;
+                     low = d.y_scale.shows(line.low[i]) ? d.y(line.low[i]) : d.height + 10;
         if (line.bars && d.shows(line, i)) path += bar(x, high, low);
         if (line.bars) continue;
         path += (i ? "L" : "M") + point_text(x, high);
@@ -256,7 +197,7 @@ std::string line_and_marks(const Drawing& d, const PlotLine& line) {
 
 /// Numbers and labels of both axes of a plot whose upper edge is at \p top.
 std::string axes(const Drawing& d, double top) {
-    const double height = d.panel.height, middle = top + height / 2;
+    const double height = d.height, middle = top + height / 2;
     std::string out;
     for (const Tick& tick : d.x_scale.ticks())
         if (!tick.label.empty()) out += text_at(left + d.x(tick.value), top + height + 18, tick.label, at_middle);
@@ -267,75 +208,134 @@ std::string axes(const Drawing& d, double top) {
                    at_middle + " transform=\"rotate(-90 " + point_text(18, middle) + ")\"");
 }
 
-/// A part of the picture, and the coordinates of its right and lower ends.
-struct Part {
-    std::string svg;
-    double right = 0, low = 0;
+/// Samples and names of lines and of the window, from 0 0 to the right and down.
+struct Legend {
+    std::string svg{};
+    double width = 0, height = 0;
 };
 
-/// Samples of the lines and of the window of \p panel with their names.
-Part legend(const Panel& panel, double x, double y) {
-    Part part{"", x, y};
+/// Of the lines of \p panel that are not among those \p shown above it.
+Legend legend_of(const Panel& panel, std::vector<std::string>& shown) {
+    constexpr double x = 8;
+    Legend legend;
+    double y = 15;
     const auto add = [&](const std::string& sample, const std::string& name) {
         const std::vector<std::string> text = document::wrapped(name, 44);
-        part.svg += sample + paragraph_at(x + 38, part.low + 4.5, text);
-        part.low += row_height - line_height + height_of(text);
+        legend.svg += sample + paragraph_at(x + 38, y + 4.5, text);
+        y += row_height - line_height + height_of(text);
         for (const std::string& line : text)
-            part.right = std::max(part.right, x + 46 + 7.3 * static_cast<double>(document::shown_width(line)));
+            legend.width = std::max(legend.width, x + 46 + 7.3 * static_cast<double>(document::shown_width(line)));
     };
     for (const PlotLine& line : panel.lines) {
-        if (line.label.empty()) continue;
-        const double point_text = part.low;
-        const std::string band = line.bars
-                                     ? path_of("bar " + colour_of(line), bar(x + 15, point_text - 7, point_text + 7))
-                                 : line.band.empty() ? ""
-                                                     : rectangle("band f" + colour_of(line), x, point_text - 7, 30, 14);
-        add(band + line_at(stroke_of(line), x, point_text, x + 30, point_text),
-            line.label + (line.band.empty() ? "" : ", " + line.band));
+        const std::string name = line.label + (line.band.empty() || line.label.empty() ? "" : ", " + line.band);
+        if (name.empty() || std::find(shown.begin(), shown.end(), colour_of(line) + line.label) != shown.end())
+            continue;
+        shown.push_back(colour_of(line) + line.label);
+        add((line.bars           ? path_of("bar " + colour_of(line), bar(x + 15, y - 7, y + 7))
+             : line.band.empty() ? ""
+                                 : rectangle("band f" + colour_of(line), x, y - 7, 30, 14)) +
+                (line.marks ? element("circle", "f" + colour_of(line), {{"cx", x + 15}, {"cy", y}, {"r", 3.2}}) + "/>\n"
+                            : line_at(stroke_of(line), x, y, x + 30, y)),
+            name);
     }
-    if (panel.window) add(rectangle("window", x, part.low - 7, 30, 14), panel.window->label);
-    return part;
+    if (panel.window) add(rectangle("window", x, y - 7, 30, 14), panel.window->label);
+    if (!legend.svg.empty()) legend.height = y - 9;
+    return legend;
 }
 
-/// One panel whose upper edge is at \p top.
-Part draw(const Panel& panel, double top) {
-    const Drawing d(panel);
+/// Whether a line of \p d, or its band, passes through a rectangle.
+bool passes(const Drawing& d, double from_x, double from_y, double width, double height) {
+    constexpr int steps = 16;  // from point to point
+    for (const PlotLine& line : d.panel.lines)
+        for (std::size_t i = 0; i < line.x.size(); ++i) {
+            const std::size_t next = std::min(i + 1, line.x.size() - 1);
+            if (!d.shows(line, i) || !d.shows(line, next)) continue;
+            const auto at = [&](const std::vector<double>& ends, double share) {
+                const auto place = [&](std::size_t k) {
+                    return d.y_scale.shows(ends[k]) ? std::clamp(d.y(ends[k]), 0.0, d.height) : d.height;
+                };
+                return std::lerp(place(i), place(next), share);
+            };
+            for (int k = 0; k < steps; ++k) {
+                const double share = static_cast<double>(k) / steps, y = at(line.y, share),
+                             x = std::lerp(d.x(line.x[i]), d.x(line.x[next]), share),
+                             high = line.high.empty() ? y : at(line.high, share),
+                             low = line.low.empty() ? y : at(line.low, share);
+                if (x > from_x - 8 && x < from_x + width + 8 && low > from_y - 8 && high < from_y + height + 8)
+                    return true;
+            }
+        }
+    return false;
+}
+
+/// \p legend in a corner of \p d where no line passes, else above the lines.
+std::string placed(const Legend& legend, Drawing& d) {
+    if (legend.svg.empty()) return "";
+    constexpr double space = 7;  // from the frame
+    const auto at = [&](bool right, bool low) {
+        return std::pair(right ? panel_width - space - legend.width : space,
+                         low ? d.height - space - legend.height : space);
+    };
+    auto [x, y] = at(false, false);
+    bool free = false;
+    for (const auto& [right, low] : {std::pair(false, false), {true, true}, {true, false}, {false, true}}) {
+        if (free || (low && !d.panel.changes.empty())) continue;  // the names of the laws are there
+        const auto [corner_x, corner_y] = at(right, low);
+        free = !passes(d, corner_x, corner_y, legend.width, legend.height);
+        if (free) x = corner_x, y = corner_y;
+    }
+    if (!free) d.add_room(legend.height + space);
+    return "<g class=\"legend\" transform=\"translate(" + point_text(x, y) + ")\">\n" +
+           rectangle("veil", 0, 0, legend.width, legend.height) + legend.svg + "</g>\n";
+}
+
+/// A part of the picture, and the coordinate of its lower end.
+struct Part {
+    std::string svg{};
+    double low = 0;
+};
+
+/// One panel whose upper edge is at \p top; \p shown: the lines that a legend above it names.
+Part draw(const Panel& panel, double top, std::vector<std::string>& shown) {
+    Drawing d(panel);
     const double plot = top + title_height;
-    Part part = legend(panel, left + panel_width + gap, plot + 12);
+    const std::string legend = placed(legend_of(panel, shown), d);
     // what may reach beyond the frame is in an inner picture, which cuts it off there
     std::string out = text_at(left, top + 16, panel.title, "font-weight=\"600\"") +
-                      element("svg", "", {{"x", left}, {"y", plot}, {"width", panel_width}, {"height", panel.height}}) +
+                      element("svg", "", {{"x", left}, {"y", plot}, {"width", panel_width}, {"height", d.height}}) +
                       data_range("x", d.x_scale.low(), d.x_scale.high(), 6) +
                       data_range("y", d.y_scale.low(), d.y_scale.high(), 6) + " overflow=\"hidden\">\n" + background(d);
     for (const PlotLine& line : panel.lines) out += band(d, line);
     for (const PlotLine& line : panel.lines) out += line_and_marks(d, line);
-    part.svg = out + "</svg>\n" + rectangle("frame", left, plot, panel_width, panel.height) + axes(d, plot) + part.svg;
-    part.low = std::max(plot + panel.height, part.low - 12) + below;
-    return part;
+    return {out + "</svg>\n<g transform=\"translate(" + point_text(left, plot) + ")\">\n" + legend + "</g>\n" +
+                rectangle("frame", left, plot, panel_width, d.height) + axes(d, plot),
+            plot + d.height + below};
 }
 
 }  // namespace
 
 std::string svg(const Figure& figure) {
+    constexpr double width = left + panel_width + margin;
     Part panels;
+    std::vector<std::string> shown;
     for (const Panel& panel : figure.panels) {
-        Part part = draw(panel, panels.low);
-        panels = {panels.svg + part.svg, std::max(panels.right, part.right), part.low};
+        Part part = draw(panel, panels.low, shown);
+        panels = {panels.svg + part.svg, part.low};
     }
     const auto lines_of = [&](const std::string& text, double character) {
-        return document::wrapped(text, static_cast<std::size_t>((panels.right - left - 16) / character));
+        return document::wrapped(text, static_cast<std::size_t>(panel_width / character));
     };
-    const auto title = lines_of(figure.title, 8.4), note = lines_of(figure.note, 6.3);
+    const auto title = lines_of(figure.title, 9.5), note = lines_of(figure.note, 6.8);
     std::vector<std::string> explanation;
     for (const std::string& sentence : figure.explanation)
-        for (std::string& line : lines_of(sentence, 7.3)) explanation.push_back(std::move(line));
+        for (std::string& line : lines_of(sentence, 8)) explanation.push_back(std::move(line));
     const double below_title = 24 + height_of(title),
                  first = below_title + (explanation.empty() ? 0 : 8 + height_of(explanation)),
                  height = first + panels.low + 6 + height_of(note);
-    const std::string name = escaped(figure.title), size = point_text(panels.right, height);
+    const std::string name = escaped(figure.title), size = point_text(width, height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fstiff\" viewBox=\"0 0 " + size + "\" width=\"" +
-           px(panels.right) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name + "\">\n<title>" +
-           name + "</title>\n" + style() + rectangle("back", 0, 0, panels.right, height) +
+           px(width) + "\" height=\"" + px(height) + "\" role=\"img\" aria-label=\"" + name + "\">\n<title>" + name +
+           "</title>\n" + style() + rectangle("back", 0, 0, width, height) +
            paragraph_at(left, 27, title, "class=\"title\"") +
            paragraph_at(left, below_title + 10, explanation, "class=\"brief\"") + "<g transform=\"translate(0 " +
            px(first) + ")\">\n" + panels.svg + "</g>\n" + paragraph_at(left, first + panels.low + 8, note, small_text) +
