@@ -67,7 +67,7 @@ def test_command(tree, command):
     """The command has the law and the reader: for cones p = E s/2 times the real area, at any separation."""
     height = lambda i, j: (7 * i + 5 * j) % 11 / 10
     (tree / "map.rgh").write_text("ROUGH 16 16 0.5\n" + "".join(" ".join(str(height(i, j)) for j in range(16)) + "\n" for i in range(16)))
-    measured = run(command, "measure", "map.rgh", cwd=tree, capture_output=True)
+    measured = subprocess.run([command, "measure", "map.rgh"], cwd=tree, text=True, capture_output=True).stdout  # ends with 4: few waves
     for sentence in ("rough, from the first bytes", "16 x 16, of which 0 missing"):
         assert sentence in measured, measured
     (tree / "cone.toml").write_text("""[surface]
@@ -80,9 +80,10 @@ upper = { youngs_modulus = "210 GPa", poisson_ratio = 0.3 }
 lower = { youngs_modulus = "210 GPa", poisson_ratio = 0.3 }
 [contact]
 pressures = ["1 MPa", "10 MPa"]
+peaks = [{ r = 0.5, theta = 1 }]
 laws = ["hertz", "cone"]
 [output]
-quantities = ["stiffness", "area"]
+quantities = ["stiffness", "real_area"]
 """)
     head, *rows = (line.split(",") for line in run(command, "run", "--format", "csv", "cone.toml", cwd=tree, capture_output=True).splitlines() if line[0] != "#")
     rows = [dict(zip(head, row)) for row in rows]
@@ -94,7 +95,7 @@ quantities = ["stiffness", "area"]
 
 
 PYTHON = """import fstiff
-cone = fstiff.Contact("cone", rms_height=0.8e-6, rms_gradient=0.15, peak_radius=40e-6, peak_density=5e8, effective_modulus=1e11)
+cone = fstiff.Contact("cone", rms_height=0.8e-6, rms_gradient=0.15, peak_radius=40e-6, peak_density=5e8, r=0.5, theta=1, effective_modulus=1e11)
 assert "cone" in fstiff.law_names()
 assert abs(cone.at_pressures(1e7).real_area_fraction / (1e7 / (1e11 * 0.15 / 2**0.5 / 2)) - 1) < 1e-8
 """
