@@ -233,16 +233,16 @@ TEST_CASE("A short legend takes a free corner, and the frame stays as it is") {
     CHECK(contains(all_between(drawn(folder, scene), "<rect class=\"frame\" ", "/>").at(0), "height=\"360\""));
 }
 
-TEST_CASE("The conductance of the gap is in the panel of the spots") {
+TEST_CASE("The conductance of the gap is in the panel of the contacts") {
     const Folder folder;
     const std::string picture = drawn(folder, read(FSTIFF_SCENES "/../examples/interface/heat_sink.toml"));
     CHECK(plots(picture).size() == 2);
-    CHECK(contains(picture, ">Thermal conductance of the spots and of the gap<"));
+    CHECK(contains(picture, ">Thermal conductance of the contacts and of the gap<"));
     CHECK(contains(picture, ">gap, answer (plastic)<"));
     const Csv table(run_fstiff("run '" + folder / "scene.toml" + "' --format csv").out);
     const auto all = curves(folder / "out.plot.csv");
     REQUIRE(all.size() >= 4);
-    for (const auto& [label, column] : {std::pair("spots, answer (plastic)", "thermal_conductance_W_per_m2K"),
+    for (const auto& [label, column] : {std::pair("contacts, answer (plastic)", "thermal_conductance_W_per_m2K"),
                                         {"gap, answer (plastic)", "thermal_conductance_gap_W_per_m2K"}}) {
         const auto curve = std::find_if(all.begin(), all.end(), [&](const Drawn& one) { return one.label == label; });
         REQUIRE(curve != all.end());

@@ -115,7 +115,7 @@ void add_gap(Panel& spots, Panel gap) {
     const int colours = 1 + std::max_element(spots.lines.begin(), spots.lines.end(), [](const auto& a, const auto& b) {
                                 return a.colour < b.colour;
                             })->colour;
-    for (PlotLine& line : spots.lines) named(line, "spots, ");
+    for (PlotLine& line : spots.lines) named(line, "contacts, ");
     for (PlotLine& line : gap.lines) {
         named(line, "gap, ");
         line.colour = (line.colour + colours) % neutral;
