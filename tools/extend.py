@@ -10,8 +10,8 @@
 A patch that applies no longer is made again by three lines, the second once its conflicts are resolved:
 
     git apply --3way examples/extend/law.patch
-    git add --all && git diff --cached -U1 --output=/tmp/law.patch && git reset --hard
-    mv /tmp/law.patch examples/extend && tools/extend.py --update
+    git add --all && git diff --cached -U1 --output=../law.patch && git reset --hard
+    mv ../law.patch examples/extend && tools/extend.py --update
 """
 import argparse
 import os
