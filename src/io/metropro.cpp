@@ -45,14 +45,10 @@ Record record_of(const FileBytes& file, const RawMap& map, double step, std::siz
     Record record;
     const std::string part(file.words(258, 40, "name of the part"));
     record.note("form", "Zygo MetroPro" + (part.empty() ? "" : ", " + shown_cell(part)));
-    record.note("units", "m, heights in steps of " + number_text(std::abs(step)) +
-                             " m, from wavelength, scale factor and obliquity factor");
+    note_zygo_step(record, step);
     record.note("spacing", "from the step of x and y in the header");
     record.note_points(map);
     record.say_trailer(file.size() - end);
-    if (step < 0)
-        record.warnings.push_back("the file states that the sign of its heights is inverted; they were turned over");
-    record.resolution = std::abs(step);
     return record;
 }
 
@@ -77,11 +73,8 @@ Reading read_metropro(std::string_view bytes, const std::string& name, const Sur
     if (grid.columns == 0 && grid.rows == 0) refuse_file(file.name(), {"holds no heights; must hold a map of them"});
     const double step = metropro_step(file);
     RawMap map;
-    read_grid(map, file, grid, [&](std::string_view height) {
-        const std::int64_t number = signed_at(height, true);
-        return static_cast<double>(number) >= zygo_missing ? std::numeric_limits<double>::quiet_NaN()
-                                                           : static_cast<double>(number) * step;
-    });
+    read_grid(map, file, grid,
+              [&](std::string_view height) { return zygo_height(static_cast<double>(signed_at(height, true)), step); });
     const double lateral = file.positive(184, 4, "step of x and y");
     set_spacings(map, lateral, lateral, file.name());
     Record record = record_of(file, map, step, static_cast<std::size_t>(grid.place + 4 * grid.columns * grid.rows));

@@ -115,9 +115,7 @@ private:
             text.remove_prefix(cell.size());
             const auto height = number_in(cell, false);
             if (!height) refuse_file(name_, {"height ", points + 1, " is ", shown_cell(cell), "; must be a number"});
-            if (points < map.heights.size())
-                map.heights[points] =
-                    *height >= zygo_missing ? std::numeric_limits<double>::quiet_NaN() : *height * step;
+            if (points < map.heights.size()) map.heights[points] = zygo_height(*height, step);
         }
         if (points != map.heights.size())
             refuse_file(name_, {"declares ", columns, " x ", rows, " heights, but holds ", points, "; must agree"});
@@ -128,15 +126,10 @@ private:
         const std::string_view quoted = header_[6];
         const std::string part(trimmed(quoted.substr(quoted.starts_with('"'), quoted.find_last_of('"') - 1)));
         record.note("form", "Zygo ASCII" + (part.empty() ? "" : ", part " + shown_cell(part)));
-        record.note("units", "m, heights in steps of " + number_text(std::abs(step)) +
-                                 " m, from wavelength, scale factor and obliquity factor");
+        note_zygo_step(record, step);
         record.note("spacing", "from the step of x and y in line 8");
         record.note_points(map);
         record.say_trailer(trimmed(rest_).size());
-        if (step < 0)
-            record.warnings.push_back(
-                "the file states that the sign of its heights is inverted; they were turned over");
-        record.resolution = std::abs(step);
         return record;
     }
 
