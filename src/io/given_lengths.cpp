@@ -19,30 +19,27 @@ GivenUnits given_lengths(const SurfaceOptions& options, const std::string& name,
             unit_factor(given.back(), Dimension::length)};
 }
 
-namespace {
-
-/// The distance between points, \p each, or the length of all \p points, \p whole.
-double step(const std::string& name, const SurfaceOptions& options, const char* each,
-            const std::optional<double>& given, const char* whole, const std::optional<double>& given_whole,
-            std::size_t points, std::string& from) {
-    if (given && given_whole) refuse_file(name, {each, " and ", whole, " are both given; must be one of them"});
-    if (!given && !given_whole)
-        refuse_file(name, {"states no steps; must be ", given_steps(options.names),
-                           " (between points), or width and height (of the map)"});
-    const char* const what = given ? each : whole;
-    fstiff::detail::located({.file = name},
-                            [&] { fstiff::detail::require_positive(what, given ? *given : *given_whole); });
-    from += std::string(from.empty() ? "" : ", ") + what + " of the options";
-    return given ? *given : *given_whole / static_cast<double>(points);
+std::optional<GivenStep> step_of_options(const LengthOption& each, const LengthOption& whole, std::size_t points,
+                                         const std::string& name, std::string& from) {
+    if (each.value && whole.value)
+        refuse_file(name, {each.name, " and ", whole.name, " are both given; must be one of them"});
+    if (!each.value && !whole.value) return std::nullopt;
+    const LengthOption& given = each.value ? each : whole;
+    const double value = *given.value;
+    fstiff::detail::located({.file = name}, [&] { fstiff::detail::require_positive(given.name, value); });
+    from += (from.empty() ? "" : ", ") + given.name + " of the options";
+    return GivenStep{given.name, value, each.value ? value : value / static_cast<double>(points)};
 }
-
-}  // namespace
 
 GivenSteps given_steps_of(std::size_t rows, std::size_t columns, const SurfaceOptions& options,
                           const std::string& name) {
     GivenSteps steps;
-    const bool of_sides = options.dx || options.dy || options.width || options.height;
-    if (of_sides && (options.spacing || rows == 1))
+    const auto step = [&](const LengthOption& each, const LengthOption& whole, std::size_t points) {
+        if (const auto given = step_of_options(each, whole, points, name, steps.from)) return given->step;
+        refuse_file(name, {"states no steps; must be ", given_steps(options.names),
+                           " (between points), or width and height (of the map)"});
+    };
+    if (gives_size(options) && (options.spacing || rows == 1))
         refuse_file(name, {rows == 1 ? "holds a profile; must be given spacing, and not"
                                      : "is given spacing; must not be given with",
                            " dx, dy, width or height"});
@@ -50,10 +47,10 @@ GivenSteps given_steps_of(std::size_t rows, std::size_t columns, const SurfaceOp
         if (!options.spacing)
             refuse_file(name, {"states no steps and none are given; must be ",
                                given_as(options.names, "spacing", "\"0.5 um\"")});
-        steps.dx = steps.dy = step(name, options, "spacing", options.spacing, "", std::nullopt, 1, steps.from);
+        steps.dx = steps.dy = step({"spacing", options.spacing}, {}, 1);
     } else {
-        steps.dx = step(name, options, "dx", options.dx, "width", options.width, columns, steps.from);
-        steps.dy = step(name, options, "dy", options.dy, "height", options.height, rows, steps.from);
+        steps.dx = step({"dx", options.dx}, {"width", options.width}, columns);
+        steps.dy = step({"dy", options.dy}, {"height", options.height}, rows);
     }
     return steps;
 }

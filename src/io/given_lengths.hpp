@@ -20,6 +20,26 @@ struct GivenUnits {
 /// \p of_positions: whether the file has positions too. \throws domain_error without units, or for one of no length.
 GivenUnits given_lengths(const SurfaceOptions& options, const std::string& name, bool of_positions);
 
+/// Whether \p options give a size of a map.
+inline bool gives_size(const SurfaceOptions& options) {
+    return options.dx || options.dy || options.width || options.height;
+}
+
+/// An option of a length, by its name; its value [m].
+struct LengthOption {
+    std::string name;
+    std::optional<double> value;
+};
+/// The option that gives a step of a map, its value, and that step.
+struct GivenStep {
+    std::string option;
+    double value{}, step{};
+};
+/// The step between \p points by the option \p each, or by \p whole, the length of them all, which is appended to
+/// \p from; none where neither is given. \throws domain_error for both, and unless it is finite and greater than 0.
+std::optional<GivenStep> step_of_options(const LengthOption& each, const LengthOption& whole, std::size_t points,
+                                         const std::string& name, std::string& from);
+
 /// Steps of a map, and the options that they come from.
 struct GivenSteps {
     double dx{}, dy{};

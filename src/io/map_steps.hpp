@@ -5,6 +5,7 @@
 ///
 /// Units       m
 
+#include "io/given_lengths.hpp"
 #include "io/header.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
@@ -24,11 +25,10 @@ struct MapSteps {
     double y(std::size_t rows);
 
 private:
-    double step_of(const std::string& step, const std::string& whole, const std::optional<double>& given_step,
-                   const std::optional<double>& given_whole, const std::optional<StatedGrid::Length>& stated_step,
+    double step_of(const LengthOption& step, const LengthOption& whole,
+                   const std::optional<StatedGrid::Length>& stated_step,
                    const std::optional<StatedGrid::Length>& stated_whole, std::size_t count);
-    void warn_of_step(const std::string& option, double given, double value,
-                      const std::optional<StatedGrid::Length>& length, double points);
+    void warn_of_step(const GivenStep& given, const std::optional<StatedGrid::Length>& length, double points);
 };
 
 }  // namespace fstiff::inline v0_1::io::detail

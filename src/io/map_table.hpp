@@ -8,6 +8,7 @@
 ///
 /// Units       those of the file
 
+#include "io/given_lengths.hpp"
 #include "io/gridded.hpp"
 #include "io/height_sense.hpp"
 #include "io/matrix_axes.hpp"
@@ -17,11 +18,6 @@
 namespace fstiff::inline v0_1::io::detail {
 
 inline constexpr TableRules map_rules{.holds = "rows of numbers"};
-
-/// Whether \p options give a size of a map.
-inline bool gives_size(const SurfaceOptions& options) {
-    return options.dx || options.dy || options.width || options.height;
-}
 
 /// Each step is done once. The text must outlive it.
 class MapTable {

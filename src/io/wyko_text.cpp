@@ -175,7 +175,7 @@ private:
 
 Reading read_wyko_text(std::vector<detail::Line> lines, const std::string& name, const SurfaceOptions& options) {
     using namespace detail;
-    if (!options.units.empty() || options.dx || options.dy || options.width || options.height)
+    if (!options.units.empty() || gives_size(options))
         refuse_file(name, {"is Wyko ASCII, which states its units and steps; units, dx, dy, width and height must not "
                            "be given"});
     std::vector<TextBlock> files;  // exports one after the other
