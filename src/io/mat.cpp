@@ -17,20 +17,11 @@
 #include "io/given_lengths.hpp"
 #include "io/mat_file.hpp"
 #include "io/missing_values.hpp"
+#include "io/regular_grid.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
 namespace {
-
-/// Equally spaced positions.
-struct MatAxis {
-    double origin{}, step{};
-    std::size_t count = 1;
-
-    [[nodiscard]] std::size_t index(double position) const {
-        return static_cast<std::size_t>(std::round((position - origin) / step));
-    }
-};
 
 class MatReader {
 public:
@@ -116,8 +107,7 @@ private:
 
     /// Whether x and y of the file are the positions.
     [[nodiscard]] bool is_placed() const {
-        return named("x") && variables_.size() > 1 && !options_.spacing && !options_.dx && !options_.dy &&
-               !options_.width && !options_.height;
+        return named("x") && variables_.size() > 1 && !options_.spacing && !gives_size(options_);
     }
 
     /// The numbers as MATLAB stores them, column after column, with the steps of the options.
@@ -147,8 +137,8 @@ private:
         return each;
     }
 
-    /// The axis of \p positions called \p axis.
-    MatAxis axis_of(std::vector<double> positions, std::string_view axis) const {
+    /// The axis of \p positions called \p axis, which are numbers of a computation and not printed ones.
+    GridAxis axis_of(std::vector<double> positions, std::string_view axis) const {
         const auto is_missing = [](double position) { return std::isnan(position); };
         if (std::any_of(positions.begin(), positions.end(), is_missing))
             refuse_file(name_, {"has a position ", axis, " that is missing; must have all"});
@@ -167,7 +157,7 @@ private:
         // no more places than twice the heights are filled
         if (!(length > 0 && std::isfinite(length) && steps >= 1 && steps < 2 * static_cast<double>(positions.size())))
             refuse();
-        const MatAxis found{low, length / steps, static_cast<std::size_t>(steps) + 1};
+        const GridAxis found{low, length / steps, static_cast<std::size_t>(steps) + 1};
         for (const double position : positions) {
             const double place = (position - low) / found.step;
             if (!(std::abs(place - std::round(place)) <= 0.01)) refuse();
@@ -189,7 +179,7 @@ private:
         const std::vector<double> ys =
             y ? positions(*y, count, is_vector ? count : rows, [&](std::size_t i) { return i % rows; })
               : std::vector<double>();
-        const MatAxis along_x = axis_of(xs, "x"), along_y = y ? axis_of(ys, "y") : MatAxis{};
+        const GridAxis along_x = axis_of(xs, "x"), along_y = y ? axis_of(ys, "y") : GridAxis{.count = 1};
         if (along_x.count > 2 * count / along_y.count)
             refuse_file(name_, {"has ", count, " heights at x and y that fill no grid, of ", along_x.count, " x ",
                                 along_y.count, " points; must fill half of it at least"});
