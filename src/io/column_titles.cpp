@@ -207,25 +207,25 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
             cells.push_back(word);
 }
 
+bool may_be_titles(const NumberTable& table, std::string_view line, const std::vector<std::string_view>& cells,
+                   bool above) {
+    const auto may_be_title = [&](std::string_view cell) {
+        return !number_in(cell, table.dialect.decimal_comma) && !(above && !cell.empty() && is_digit(cell.front()));
+    };
+    return cells.size() == table.columns && std::all_of(cells.begin(), cells.end(), may_be_title) &&
+           !(table.columns == 1 && is_key_and_number(line));
+}
+
 std::vector<ColumnTitle> titles_above(const NumberTable& table) {
     std::vector<ColumnTitle> titles;
     std::vector<std::string_view> cells;
     const char separator = table.dialect.separator;
-    const auto is_number = [&](std::string_view cell) {
-        return number_in(cell, table.dialect.decimal_comma).has_value();
-    };
     int lines = 0;
     for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
         const std::string_view raw = table.lines[i].text;
         for (const std::string_view line : {raw, without_comment_sign(raw, separator)}) {
             split_titles(line, separator, cells);
-            // a line above the titles may be a key and its value, "Objective:;20X"
-            const bool begins = lines == 1 && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
-                                    return !cell.empty() && is_digit(cell.front());
-                                });
-            if (cells.size() != table.columns || begins || std::any_of(cells.begin(), cells.end(), is_number) ||
-                (table.columns == 1 && is_key_and_number(line)))
-                continue;
+            if (!may_be_titles(table, line, cells, lines == 1)) continue;
             ++lines;
             titles.resize(table.columns);
             for (std::size_t c = 0; c < cells.size(); ++c) {

@@ -69,6 +69,11 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
 /// Whether \p line is a key and a number, as "Pitch [um]: 0.5" is, and no title of one column.
 bool is_key_and_number(std::string_view line);
 
+/// Whether \p cells, of a \p line above the rows of \p table, may be titles of its columns; \p above another such line,
+/// where it may be a key and its value, "Objective:;20X".
+bool may_be_titles(const NumberTable& table, std::string_view line, const std::vector<std::string_view>& cells,
+                   bool above);
+
 /// Whether column \p c of the rows counts: whole numbers that rise, and \p from_start, by one from 0 or 1.
 bool counts_points(const NumberTable& table, std::size_t c, bool from_start);
 

@@ -238,9 +238,6 @@ void split_at_units(std::string_view line, std::vector<std::string_view>& cells)
 std::vector<WrittenTitle> written_titles(const NumberTable& table) {
     std::vector<WrittenTitle> titles(table.columns);
     std::vector<std::string_view> cells;
-    const auto is_number = [&](std::string_view cell) {
-        return number_in(cell, table.dialect.decimal_comma).has_value();
-    };
     const char own = table.dialect.separator;
     int lines = 0;
     for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
@@ -249,12 +246,7 @@ std::vector<WrittenTitle> written_titles(const NumberTable& table) {
         for (const char separator : {';', '\t', ','})
             if (cells.size() != table.columns && own == ' ' && table.columns > 1) split_titles(line, separator, cells);
         if (cells.size() != table.columns) split_at_units(line, cells);
-        const bool begins = lines == 1 && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
-                                return !cell.empty() && is_digit(cell.front());
-                            });
-        if (cells.size() != table.columns || begins || std::any_of(cells.begin(), cells.end(), is_number) ||
-            (table.columns == 1 && is_key_and_number(line)))
-            continue;
+        if (!may_be_titles(table, line, cells, lines == 1)) continue;
         ++lines;
         for (std::size_t c = 0; c < cells.size(); ++c)
             titles[c] = {std::string(cells[c]) + (lines > 1 ? " " + titles[c].text : ""), table.lines[i].number};
