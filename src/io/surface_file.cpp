@@ -38,6 +38,11 @@ bool has_units_above(const NumberTable& table, std::size_t columns) {
     return table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
 }
 
+/// Whether \p options ask for a profile, or have a use for one alone.
+bool asks_for_profile(const SurfaceOptions& options) {
+    return options.format == SurfaceFormat::profile || options.column != 0 || options.x_column != 0 || options.spacing;
+}
+
 /// The form of a text, and why.
 std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::string& name,
                                                 const SurfaceOptions& options) {
@@ -51,8 +56,7 @@ std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::str
     const auto ambiguous = [&](const std::string& what, const std::string& choice) {
         refuse_file(name, {"has ", found, what, "; give ", choice});
     };
-    if (options.column != 0 || options.x_column != 0 || options.spacing)
-        return {SurfaceFormat::profile, "options that only a profile has"};
+    if (asks_for_profile(options)) return {SurfaceFormat::profile, "options that only a profile has"};
     if (const auto form = stated_form(reader.entries()); form && written > 1)
         return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
     if (written <= 2) {
@@ -122,6 +126,22 @@ namespace detail {
 
 namespace {
 
+/// A text of one or two rows with its rows as columns (io/row_layout.hpp); none for other texts, and for a map: where
+/// \p options give its size, or where they do not ask for a profile and the header above two rows states a size or a
+/// form.
+std::optional<std::string> turned_text(const std::vector<Line>& lines, const std::string& name,
+                                       const SurfaceOptions& options, std::size_t before) {
+    constexpr std::size_t few = 256;  // lines of a header, and one or two rows
+    if (gives_size(options) || lines.size() >= few) return std::nullopt;
+    const NumberTable table = open_table(lines, name, map_rules, options, before);
+    std::optional<std::string> turned = turned_rows(table);
+    const auto rows = std::count_if(table.lines.begin() + static_cast<std::ptrdiff_t>(table.first), table.lines.end(),
+                                    [](const Line& line) { return !is_comment(line.text); });
+    if (!turned || rows == 1 || asks_for_profile(options)) return turned;
+    const auto entries = header_entries(table);
+    return stated_form(entries) || stated_grid(entries, "m", name).has_size() ? std::nullopt : turned;
+}
+
 /// Reads a text of the form record.format, which is chosen here where it is automatic.
 Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceOptions& options) {
     const std::string& name = record.name;
@@ -139,10 +159,7 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
     ChosenBlock chosen = chosen_block(blocks_of(std::move(lines), name, options), name, options);
     std::vector<Line>& own = chosen.block.lines;
     const std::size_t before = chosen.block.line - 1;
-    std::optional<std::string> turned;
-    constexpr std::size_t few = 256;  // lines of a header, and one or two rows
-    if (may_be_profile && !gives_size(options) && own.size() < few)
-        turned = turned_rows(open_table(own, name, map_rules, options, before));
+    const auto turned = may_be_profile ? turned_text(own, name, options, before) : std::nullopt;
     if (turned) own = lines_of(*turned, name, count);
     std::optional<MapTable> map;
     if (record.format != SurfaceFormat::profile) map.emplace(std::move(own), name, options, before);

@@ -146,6 +146,31 @@ TEST_CASE("A row of heights, alone or below a row of positions, is read as a col
             {.format = SurfaceFormat::matrix, .units = "um", .dx = 1e-6, .dy = 1e-6}}});
 }
 
+TEST_CASE(
+    "A map of two rows whose header states its size or its form is not turned, however equal the steps of its first") {
+    std::string heights;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 64; ++i) heights += std::to_string(j == 0 ? i : i % 5) + (i < 63 ? "\t" : "\n");
+    const std::string size = "# Width: 64 um\n# Height: 4 um\n", unit = "# Value units: um\n";
+    const Decision two_rows{.dx = 1e-6, .dy = 2e-6, .size = 128, .rows = 2, .format = SurfaceFormat::matrix};
+    const auto check_rows = [&](const TextRow& row) {
+        test::check_text(row, [](int i) { return static_cast<double>(i < 64 ? i : (i - 64) % 5); });
+    };
+    Decision in_um = two_rows;
+    in_um.unit = 1e-6;
+    check_rows({"as write_csv writes it", "# Form: matrix\n" + size + unit + heights, in_um});
+    check_rows({"size", size + unit + heights, in_um});
+    check_rows({"steps", "# dx: 1 um\n# dy: 2 um\n" + unit + heights, in_um});
+    check_rows({"form", "# Form: matrix\n" + heights, two_rows, {.units = "um", .dx = 1e-6, .dy = 2e-6}});
+    check_rows({"form, refused without a size", "# Form: matrix\n" + heights, refused("dx"), {.units = "um"}});
+    // positions and heights of a profile
+    check({{"neither", heights, {.dx = 1e-6, .size = 64}, {.units = "um"}},
+           {"profile by the options",
+            size + heights,
+            {.dx = 1e-6, .size = 64},
+            {.format = SurfaceFormat::profile, .units = "um"}}});
+}
+
 TEST_CASE("Tables between bars are read") {
     check({
         {"bars", "x [um] | z [um]\n" + rows("{x} | {z}\n"), um({"; separator: bar, decimal point"})},
