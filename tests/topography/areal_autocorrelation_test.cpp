@@ -4,6 +4,7 @@
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
+#include "support/height_map.hpp"
 #include "support/roughness_reference.hpp"
 
 #include <numbers>
@@ -11,21 +12,11 @@
 namespace areal_autocorrelation_test {
 
 using namespace fstiff;
+using test::map_of;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-HeightMap<double> map_of(Eigen::Index rows, Eigen::Index columns, double dx, double dy, const auto& z) {
-    HeightMap<double> map;
-    map.dx = dx;
-    map.dy = dy;
-    map.heights.resize(rows, columns);
-    for (Eigen::Index j = 0; j < rows; ++j)
-        for (Eigen::Index i = 0; i < columns; ++i)
-            map.heights(j, i) = z(static_cast<double>(i) * dx, static_cast<double>(j) * dy);
-    return map;
-}
 
 /// An autocorrelation that is the function \p a of the lags.
 detail::ArealAutocorrelation<double> given(Eigen::Index reach, double dx, double dy, const auto& a) {
