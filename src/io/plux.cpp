@@ -47,10 +47,7 @@ public:
         const std::string data = heights_name();
         const auto found = archive_.find(data);
         if (!found) refuse_field(name_, "LAYER_0/FILENAME_Z", shown_cell(data), "the name of a file of the archive");
-        const std::size_t size = archive_.size(*found);
-        if (size % 4 != 0 || size / 4 != columns * rows)
-            refuse_file(name_, {shown_cell(data), " has ", size, " bytes; must have 4 for each of ", columns, " x ",
-                                rows, " points"});
+        archive_.require_points(*found, 4, columns, rows);
         const std::string heights = archive_.content(*found);
         RawMap map;
         read_grid(map, FileBytes(heights, name_), {0, 4, columns, rows, 0},

@@ -279,7 +279,7 @@ private:
         const std::size_t size = header_.data_type == 'I' ? 2 : header_.data_type == 'D' ? 8 : 4;
         const std::size_t data = linked(local_child(link, "PointDataLink"), "PointDataLink");
         header_.data = archive_.names()[data];
-        require_size(data, size);
+        archive_.require_points(data, size, header_.columns, header_.rows);
         std::optional<std::size_t> mask;
         if (const pugi::xml_node node = local_child(link, "ValidPointsLink"); node && !text_at(node).empty()) {
             mask = linked(node, "ValidPointsLink");
@@ -295,14 +295,6 @@ private:
             const bool is_valid = !mask || ((static_cast<unsigned char>(valid[i / 8]) >> (i % 8)) & 1) != 0;
             set(i, is_valid ? binary_number(std::string_view(bytes).substr(i * size, size)) : missing);
         }
-    }
-
-    /// \throws unless file \p data has \p size bytes a point; the product cannot leave 64 bits.
-    void require_size(std::size_t data, std::size_t size) const {
-        const std::size_t there = archive_.size(data);
-        if (there % size != 0 || there / size != points_)
-            refuse_file(name_, {shown_cell(archive_.names()[data]), " has ", there, " bytes; must have ", size,
-                                " for each of ", header_.columns, " x ", header_.rows, " points"});
     }
 
     double binary_number(std::string_view bytes) const {

@@ -198,6 +198,13 @@ std::string ZipArchive::content(std::size_t index) const {
     return text;
 }
 
+void ZipArchive::require_points(std::size_t index, std::size_t width, std::size_t columns, std::size_t rows) const {
+    const std::size_t there = size(index);
+    if (there % width != 0 || there / width != std::uint64_t(columns) * rows)
+        refuse_file(name_, {shown_cell(names_[index]), " has ", there, " bytes; must have ", width, " for each of ",
+                            columns, " x ", rows, " points"});
+}
+
 std::string ZipArchive::content_of(std::string_view entry) const {
     const auto index = find(entry);
     if (!index) refuse_file(name_, {"holds no ", shown_cell(entry), "; must hold it in its archive"});

@@ -35,6 +35,9 @@ public:
     /// Size of file \p index once inflated, which is within the limits.
     std::size_t size(std::size_t index) const;
 
+    /// Refuses file \p index unless it has \p width bytes for each of \p columns x \p rows points, below 2^32 a side.
+    void require_points(std::size_t index, std::size_t width, std::size_t columns, std::size_t rows) const;
+
     std::string content(std::size_t index) const;
     /// That of the file \p entry. \throws domain_error without one.
     std::string content_of(std::string_view entry) const;
