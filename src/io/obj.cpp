@@ -11,9 +11,9 @@
 /// Valid       as io/gridded.hpp
 /// Accuracy    as io/gridded.hpp (tests/io/obj_test.cpp)
 
-#include "io/gridded.hpp"
 #include "io/lines.hpp"
 #include "io/readers.hpp"
+#include "io/triangle_mesh.hpp"
 
 #include <cmath>
 #include <utility>
@@ -44,16 +44,7 @@ public:
             if (cells_[0] == "v") cloud_.points.push_back(vertex(line));
             if (cells_[0] == "f") take_face(line);
         }
-        const auto points = static_cast<std::uint32_t>(cloud_.points.size());
-        for (const Triangle& face : cloud_.faces)
-            for (const std::uint32_t corner : face)
-                if (corner >= points)
-                    refuse_file(name_,
-                                {"has a face with vertex ", corner + 1, " of ", points, "; must be one of them"});
-        Record record;
-        record.note("form", "Wavefront object, " + std::to_string(points) + " vertices, " +
-                                std::to_string(cloud_.faces.size()) + " triangles");
-        return map_of_points(std::move(cloud_), name_, options_, std::move(record));
+        return map_of_mesh(std::move(cloud_), "Wavefront object", 1, name_, options_);
     }
 
 private:

@@ -13,9 +13,9 @@
 /// Accuracy    as io/gridded.hpp (tests/io/ply_test.cpp)
 
 #include "io/binary_numbers.hpp"
-#include "io/gridded.hpp"
 #include "io/lines.hpp"
 #include "io/readers.hpp"
+#include "io/triangle_mesh.hpp"
 
 #include <array>
 #include <cmath>
@@ -81,15 +81,7 @@ public:
                     for (const PlyProperty& property : element.properties) read_values(property);
         }
         if (cloud_.points.empty()) refuse_file(name_, {"has no element vertex; must have some"});
-        const auto points = static_cast<std::uint32_t>(cloud_.points.size());
-        for (const Triangle& face : cloud_.faces)
-            for (const std::uint32_t corner : face)
-                if (corner >= points)
-                    refuse_file(name_, {"has a face with vertex ", corner, " of ", points, "; must be one of them"});
-        Record record;
-        record.note("form", "PLY, " + std::string(format_) + ", " + std::to_string(points) + " vertices, " +
-                                std::to_string(cloud_.faces.size()) + " triangles");
-        return map_of_points(std::move(cloud_), name_, options_, std::move(record));
+        return map_of_mesh(std::move(cloud_), "PLY, " + std::string(format_), 0, name_, options_);
     }
 
 private:

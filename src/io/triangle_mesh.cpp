@@ -161,4 +161,17 @@ TriangleMesh mesh_of(PointCloud cloud, const std::string& name) {
     return mesh;
 }
 
+Reading map_of_mesh(PointCloud cloud, const std::string& form, std::uint32_t first, const std::string& name,
+                    const SurfaceOptions& options) {
+    const auto points = static_cast<std::uint32_t>(cloud.points.size());
+    for (const Triangle& face : cloud.faces)
+        for (const std::uint32_t corner : face)
+            if (corner >= points)
+                refuse_file(name, {"has a face with vertex ", corner + first, " of ", points, "; must be one of them"});
+    Record record;
+    record.note("form", form + ", " + std::to_string(points) + " vertices, " + std::to_string(cloud.faces.size()) +
+                            " triangles");
+    return map_of_points(std::move(cloud), name, options, std::move(record));
+}
+
 }  // namespace fstiff::inline v0_1::io::detail

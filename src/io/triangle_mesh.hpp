@@ -23,6 +23,11 @@ struct TriangleMesh {
     std::size_t incomplete{};       ///< points without a position or a height
 };
 
+/// A map of a \p cloud with faces from a file of the \p form, which counts its vertices from \p first.
+/// \throws domain_error for a face without a vertex, and as map_of_points does.
+[[nodiscard]] Reading map_of_mesh(PointCloud cloud, const std::string& form, std::uint32_t first,
+                                  const std::string& name, const SurfaceOptions& options);
+
 /// \throws domain_error for points on one line and for what is no field of heights.
 [[nodiscard]] TriangleMesh mesh_of(PointCloud cloud, const std::string& name);
 
