@@ -21,6 +21,12 @@ double real_at(std::string_view bytes, bool big) {
                              : std::bit_cast<double>(bits);
 }
 
+double value_at(std::string_view bytes, char kind, bool big) {
+    return kind == 'f'   ? real_at(bytes, big)
+           : kind == 'i' ? static_cast<double>(signed_at(bytes, big))
+                         : static_cast<double>(unsigned_at(bytes, big));
+}
+
 double double_at(std::string_view bytes) { return real_at(bytes.substr(0, 8), false); }
 float float_at(std::string_view bytes) { return std::bit_cast<float>(little_endian<std::uint32_t>(bytes)); }
 

@@ -20,6 +20,9 @@ std::int64_t signed_at(std::string_view bytes, bool big);
 /// The floating-point number in the 4 or 8 \p bytes.
 double real_at(std::string_view bytes, bool big);
 
+/// The number that \p bytes are: floating-point for the \p kind 'f', an integer with a sign for 'i', without for 'u'.
+double value_at(std::string_view bytes, char kind, bool big);
+
 /// The unsigned integer in the first sizeof(T) bytes, the least significant first.
 template <class T>
 T little_endian(std::string_view bytes) {

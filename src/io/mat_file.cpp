@@ -168,13 +168,11 @@ MatNumbers mat_numbers(std::string_view bytes, const std::string& name, const Ma
     if (content.size() / width != variable.count() || content.size() % width != 0)
         refuse_file(name, {"declares ", variable.count(), " numbers of ", width, " bytes in ", called(variable),
                            ", but has ", content.size(), " bytes of them; must agree"});
-    const bool is_real = type == 7 || type == 9, is_signed = type == 1 || type == 3 || type == 5 || type == 12;
-    MatNumbers numbers{.values = std::vector<double>(variable.count()), .are_whole = !is_real};
+    const bool is_signed = type == 1 || type == 3 || type == 5 || type == 12;
+    const char kind = type == 7 || type == 9 ? 'f' : is_signed ? 'i' : 'u';
+    MatNumbers numbers{.values = std::vector<double>(variable.count()), .are_whole = kind != 'f'};
     for (std::size_t i = 0; i < numbers.values.size(); ++i) {
-        const std::string_view cell = content.substr(i * width, width);
-        const double value = is_real     ? real_at(cell, big)
-                             : is_signed ? static_cast<double>(signed_at(cell, big))
-                                         : static_cast<double>(unsigned_at(cell, big));
+        const double value = value_at(content.substr(i * width, width), kind, big);
         numbers.values[i] = std::isinf(value) ? std::numeric_limits<double>::quiet_NaN() : value;
     }
     return numbers;

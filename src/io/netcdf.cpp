@@ -202,10 +202,8 @@ private:
     }
     static double number(std::string_view bytes, std::uint64_t type, std::size_t index) {
         const std::size_t size = nc_size(type);
-        bytes = bytes.substr(index * size, size);
-        if (type == 5 || type == 6) return real_at(bytes, true);
-        return type == 2 || (type >= 7 && type != 10) ? static_cast<double>(unsigned_at(bytes, true))
-                                                      : static_cast<double>(signed_at(bytes, true));
+        const bool is_unsigned = type == 2 || (type >= 7 && type != 10);
+        return value_at(bytes.substr(index * size, size), type == 5 || type == 6 ? 'f' : is_unsigned ? 'u' : 'i', true);
     }
     double number_at(const NcValues& values, const std::string& name) const {
         if (values.count != 1 || values.type == 2) refuse_field(file_.name(), name, "no number", "one number");

@@ -181,12 +181,7 @@ private:
         header_.trailer = rest_.size() - static_cast<std::size_t>(points) * size_;
     }
 
-    double number(std::size_t index) const {
-        const std::string_view bytes = rest_.substr(index * size_, size_);
-        return type_ == 'f'   ? real_at(bytes, big_)
-               : type_ == 'i' ? static_cast<double>(signed_at(bytes, big_))
-                              : static_cast<double>(unsigned_at(bytes, big_));
-    }
+    double number(std::size_t index) const { return value_at(rest_.substr(index * size_, size_), type_, big_); }
 
     void read_heights(RawMap& map) {
         const std::size_t rows = header_.rows, columns = header_.columns;

@@ -121,9 +121,7 @@ private:
             const std::string_view bytes = take(size->second, path);
             if (item.type == 0x15) return;
             const bool is_signed = item.type == 0x04 || item.type == 0x06 || item.type == 0x0A;
-            item.number = item.type >= 0x0C ? real_at(bytes, false)
-                          : is_signed       ? static_cast<double>(signed_at(bytes, false))
-                                            : static_cast<double>(unsigned_at(bytes, false));
+            item.number = value_at(bytes, item.type >= 0x0C ? 'f' : is_signed ? 'i' : 'u', false);
             return;
         }
         const bool named = item.type == 0x00 || item.type == 0x45 || item.type == 0x40 || item.type == 0x42 ||

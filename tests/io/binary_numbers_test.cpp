@@ -30,4 +30,10 @@ TEST_CASE("Floating-point numbers of either byte order are those of IEEE 754") {
     CHECK(float_at("\0\x40\xED\xC2 and more"sv) == -118.625F);
 }
 
+TEST_CASE("Numbers are read by their kind") {
+    CHECK(value_at("\xC2\xED\x40\0"sv, 'f', true) == -118.625);
+    CHECK(value_at("\xFE\xFF"sv, 'i', false) == -2);
+    CHECK(value_at("\xFE\xFF"sv, 'u', false) == 65534);
+}
+
 }  // namespace binary_numbers_test
