@@ -19,9 +19,6 @@
 
 #include "io/file_bytes.hpp"
 
-#include <fstiff/io/quantities.hpp>
-#include <fstiff/io/units.hpp>
-
 #include <map>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -83,8 +80,7 @@ private:
     }
     double number(const std::string& key) const {
         if (text(key).empty()) refuse_file(file_.name(), {"has no tag ", key, "; must have one"});
-        return fstiff::detail::located({.file = file_.name()},
-                                       [&] { return parse_number(printable(text(key), 30), key); });
+        return stated_number(file_.name(), key, text(key));
     }
     double step(const std::string& key) const { return require_step(file_.name(), key, number(key)); }
     /// The number that marks missing points; "NaN" and its like mark none but NaN.
@@ -92,12 +88,7 @@ private:
         return is_missing_word(text("InvalidPixelValue")) ? std::numeric_limits<double>::quiet_NaN()
                                                           : number("InvalidPixelValue");
     }
-    std::uint64_t count(const std::string& key) const {
-        const double value = number(key);
-        if (!(value >= 0 && value <= 4294967295.0 && value == std::floor(value)))
-            refuse_field(file_.name(), key, number_text(value), "a whole number from 0 to 4294967295");
-        return static_cast<std::uint64_t>(value);
-    }
+    std::uint64_t count(const std::string& key) const { return require_count(file_.name(), key, number(key), 0); }
 
     FileBytes file_;
     std::map<std::string_view, std::string_view> tags_;

@@ -19,12 +19,6 @@ std::string_view FileBytes::words(std::uint64_t place, std::uint64_t size, std::
     return trimmed(field.substr(0, field.find('\0')));
 }
 
-double require_step(const std::string& name, const std::string& field, double value) {
-    if (!(value > 0 && value <= (std::numeric_limits<double>::max)()))
-        refuse_field(name, field, number_text(value), "finite and greater than 0");
-    return value;
-}
-
 std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid) {
     if (grid.columns < 2 || grid.rows < 1)
         refuse_field(file.name(), "points of a row x rows",
@@ -35,10 +29,6 @@ std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid) {
                     {"declares ", grid.columns, " x ", grid.rows, " heights of ", grid.size, " bytes from byte ",
                      grid.place, " on, but has ", file.size(), " bytes; must hold all"});
     return file.at(grid.place, row * grid.rows, "the heights");
-}
-
-void set_height(RawMap& map, std::size_t index, double z) {
-    map.heights[index] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z;
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

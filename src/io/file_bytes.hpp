@@ -8,8 +8,7 @@
 /// Valid       files up to 2^31 bytes
 
 #include "io/binary_numbers.hpp"
-#include "io/lines.hpp"
-#include "io/reading.hpp"
+#include "io/required.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -52,14 +51,8 @@ struct StoredGrid {
     std::uint64_t padding{};          // bytes after each row, below 16
 };
 
-/// \p value, which the file states as \p field. \throws domain_error unless it is finite and greater than 0.
-double require_step(const std::string& name, const std::string& field, double value);
-
 /// The bytes of all heights. \throws domain_error for less than 2 columns or 1 row, and when the file ends before.
 [[nodiscard]] std::string_view stored_heights(const FileBytes& file, const StoredGrid& grid);
-
-/// Makes height \p index of \p map \p z, missing where it is infinite.
-void set_height(RawMap& map, std::size_t index, double z);
 
 /// The heights of \p grid, height_of(bytes) being each [m], NaN where it is missing.
 template <class HeightOf>

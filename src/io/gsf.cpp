@@ -18,10 +18,7 @@
 #include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
-#include "io/lines.hpp"
-
-#include <fstiff/io/quantities.hpp>
-#include <fstiff/io/units.hpp>
+#include "io/required.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -58,14 +55,15 @@ public:
         const std::string_view heights = split();
         header_.columns = count("XRes");
         header_.rows = count("YRes");
-        header_.lateral_unit = unit("XYUnits");
-        header_.height_unit = unit("ZUnits");
+        const double lateral = factor("XYUnits", header_.lateral_unit),
+                     vertical = factor("ZUnits", header_.height_unit);
         header_.title = printable(find("Title").value_or(""), 80);
-        const double lateral = unit_factor(header_.lateral_unit, Dimension::length);
         const double dx = length("XReal") * lateral / static_cast<double>(header_.columns);
         const double dy = length("YReal") * lateral / static_cast<double>(header_.rows);
         RawMap map;
-        read_heights(map, heights);
+        header_.trailer = allocate_stored(map, header_.rows, header_.columns, 4, heights.size(), name_);
+        for (std::size_t i = 0; i < map.heights.size(); ++i)
+            set_height(map, i, real_at(heights.substr(4 * i, 4), false) * vertical);
         set_spacings(map, dx, dy, name_);
         Record record = record_of(header_, map);
         return {std::move(map), std::move(record)};
@@ -105,41 +103,13 @@ private:
         if (const auto value = find(field)) return *value;
         refuse_file(name_, {"states no ", field, "; must state it in its header"});
     }
-    double number(const std::string& field) const {
-        const std::string value = printable(stated(field), 64);
-        return fstiff::detail::located({.file = name_}, [&] { return parse_number(value, field); });
-    }
-    std::size_t count(const std::string& field) const {
-        const double value = number(field);
-        if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-            refuse_field(name_, field, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::size_t>(value);
-    }
-    double length(const std::string& field) const {
-        const double value = number(field);
-        fstiff::detail::located({.file = name_}, [&] { fstiff::detail::require_positive(field, value); });
-        return value;
-    }
-    std::string unit(const std::string& field) const {
-        const std::string_view value = stated(field);
-        if (!is_unit(value, Dimension::length))
-            refuse_field(name_, field, shown_cell(value), "a unit of length: " + accepted_units(Dimension::length));
-        return std::string(value);
-    }
-
-    void read_heights(RawMap& map, std::string_view bytes) {
-        // both below 2^32: the product fits into 64 bits
-        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
-        if (points > bytes.size() / 4)
-            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of 4 bytes, but holds ",
-                                bytes.size(), " bytes of them; must hold all"});
-        header_.trailer = bytes.size() - static_cast<std::size_t>(points) * 4;
-        const double factor = unit_factor(header_.height_unit, Dimension::length);
-        allocate(map, header_.rows, header_.columns);
-        for (std::size_t i = 0; i < points; ++i) {
-            const double z = real_at(bytes.substr(4 * i, 4), false);
-            map.heights[i] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z * factor;
-        }
+    double number(const std::string& field) const { return stated_number(name_, field, stated(field)); }
+    std::size_t count(const std::string& field) const { return require_count(name_, field, number(field)); }
+    double length(const std::string& field) const { return require_step(name_, field, number(field)); }
+    /// The factor of the \p unit that the file states as \p field.
+    double factor(const std::string& field, std::string& unit) const {
+        unit = stated(field);
+        return require_length_unit(name_, field, unit);
     }
 
     std::string_view bytes_;

@@ -26,7 +26,7 @@
 #include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
-#include "io/lines.hpp"
+#include "io/required.hpp"
 
 #include <fstiff/io/units.hpp>
 
@@ -161,8 +161,8 @@ public:
         read_heights(map, field);
         if (!chosen.mask.empty()) apply(field_of(chosen.mask, chosen.called + "/mask"), map);
         const double lateral = unit_factor(header_.lateral_unit, Dimension::length);
-        set_spacings(map, step("xreal", field.width) * lateral / static_cast<double>(field.columns),
-                     step("yreal", field.height) * lateral / static_cast<double>(field.rows), name_);
+        set_spacings(map, require_step(name_, "xreal", field.width) * lateral / static_cast<double>(field.columns),
+                     require_step(name_, "yreal", field.height) * lateral / static_cast<double>(field.rows), name_);
         Record record = record_of(header_, map);
         return {std::move(map), std::move(record)};
     }
@@ -266,14 +266,8 @@ private:
         return unit;
     }
     std::string length_unit(const std::string& field, const std::string& unit) const {
-        if (!is_unit(unit, Dimension::length))
-            refuse_field(name_, field + " of channel " + header_.channel, shown_cell(unit),
-                         "a unit of length: " + accepted_units(Dimension::length));
+        (void)require_length_unit(name_, field + " of channel " + header_.channel, unit);
         return unit;
-    }
-    double step(const std::string& field, double value) const {
-        fstiff::detail::located({.file = name_}, [&] { fstiff::detail::require_positive(field, value); });
-        return value;
     }
 
     static std::string shown(unsigned number, const Channel& channel) {

@@ -23,8 +23,6 @@
 
 #include "io/file_bytes.hpp"
 
-#include <fstiff/io/units.hpp>
-
 #include <map>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -216,11 +214,9 @@ private:
         const bool stated = found != variable.attributes.end() && found->second.type == 2;
         const std::string_view unit =
             stated ? file_.words(found->second.place, found->second.count, "unit of " + name) : std::string_view();
-        if (!is_unit(unit, Dimension::length))
-            refuse_field(file_.name(), "unit of " + name, shown_cell(unit),
-                         "a unit of length: " + accepted_units(Dimension::length));
+        const double factor = require_length_unit(file_.name(), "unit of " + name, unit);
         units_ += (units_.empty() ? "" : ", ") + name + " in " + printable(unit, 16);
-        return unit_factor(unit, Dimension::length);
+        return factor;
     }
     double step(const std::string& name, std::uint64_t points) {
         const NcVariable& variable = require(name);

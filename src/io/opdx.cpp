@@ -32,8 +32,6 @@
 
 #include "io/file_bytes.hpp"
 
-#include <fstiff/io/units.hpp>
-
 #include <map>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -226,10 +224,7 @@ private:
         return *found;
     }
     std::uint64_t points_of(const std::string& name) const {
-        const double value = required(name).number;
-        if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-            refuse_field(file_.name(), name, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::uint64_t>(value);
+        return require_count(file_.name(), name, required(name).number);
     }
     /// \throws unless the heights of \p grid fit into \p size bytes, the first \p before of which are others.
     void require_whole(const StoredGrid& grid, std::uint64_t size, std::uint64_t before) const {
@@ -240,11 +235,9 @@ private:
     /// The quantity \p name [m].
     double scale_of(const std::string& name) {
         const OpdxItem& item = required(name);
-        if (!is_unit(item.text, Dimension::length))
-            refuse_field(file_.name(), "unit of " + name, shown_cell(item.text),
-                         "a unit of length: " + accepted_units(Dimension::length));
+        const double factor = require_length_unit(file_.name(), "unit of " + name, item.text);
         units_ += (units_.empty() ? "" : ", ") + name + " in " + printable(item.text, 16);
-        return require_step(file_.name(), name, item.number) * unit_factor(item.text, Dimension::length);
+        return require_step(file_.name(), name, item.number) * factor;
     }
     double step(const std::string& name, std::uint64_t points) {
         return scale_of(name) / static_cast<double>(points - 1);

@@ -20,9 +20,6 @@
 #include "io/file_bytes.hpp"
 #include "io/zip_archive.hpp"
 
-#include <fstiff/io/quantities.hpp>
-#include <fstiff/io/units.hpp>
-
 #ifdef FSTIFF_HAS_X3P
 #include <pugixml.hpp>
 
@@ -64,14 +61,9 @@ private:
     double number_at(const char* element) const {
         const std::string text = text_at(element), place = std::string("GENERAL/") + element;
         if (text.empty()) refuse_file(name_, {"index.xml has no ", place, "; must have one"});
-        return fstiff::detail::located({.file = name_}, [&] { return parse_number(printable(text, 64), place); });
+        return stated_number(name_, place, text);
     }
-    std::uint64_t count_at(const char* element) const {
-        const double value = number_at(element);
-        if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-            refuse_field(name_, element, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::uint64_t>(value);
-    }
+    std::size_t count_at(const char* element) const { return require_count(name_, element, number_at(element)); }
     double step_at(const char* element) const { return require_step(name_, element, number_at(element) * 1e-6); }
 
     /// The file that the first LAYER_... names; all of them are counted.

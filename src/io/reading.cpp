@@ -42,6 +42,10 @@ void allocate(RawMap& map, std::size_t rows, std::size_t columns) {
     map.heights.resize(rows * columns);
 }
 
+void set_height(RawMap& map, std::size_t index, double z) {
+    map.heights[index] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z;
+}
+
 std::size_t present(const RawMap& map) {
     const auto exists = [](double z) { return !std::isnan(z); };
     return static_cast<std::size_t>(std::count_if(map.heights.begin(), map.heights.end(), exists));

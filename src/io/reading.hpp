@@ -47,6 +47,9 @@ namespace detail {
 /// Makes room for the heights of \p rows x \p columns points.
 void allocate(RawMap& map, std::size_t rows, std::size_t columns);
 
+/// Makes height \p index of \p map \p z, missing where it is infinite.
+void set_height(RawMap& map, std::size_t index, double z);
+
 /// Points of \p map that are not missing.
 [[nodiscard]] std::size_t present(const RawMap& map);
 

@@ -25,11 +25,8 @@
 #include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
-#include "io/lines.hpp"
 #include "io/number_table.hpp"
-
-#include <fstiff/io/quantities.hpp>
-#include <fstiff/io/units.hpp>
+#include "io/required.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -125,19 +122,13 @@ private:
         if (header_.columns == 0 || header_.rows == 0)
             refuse_field(name_, "NumPoints x NumProfiles",
                          std::to_string(header_.columns) + " x " + std::to_string(header_.rows), "at least 2 x 1");
-        require_scale("Xscale", x_scale_, false);
-        require_scale("Yscale", y_scale_, header_.rows == 1);
-        require_scale("Zscale", header_.z_scale, false);
+        require_step(name_, "Xscale", x_scale_);
+        if (header_.rows > 1 || y_scale_ != 0) require_step(name_, "Yscale", y_scale_);
+        require_step(name_, "Zscale", header_.z_scale);
         if (compression != 0) refuse_field(name_, "Compression", std::to_string(compression), "0 (none)");
         if (header_.data_type < 0 || header_.data_type > 7)
             refuse_field(name_, "DataType", std::to_string(header_.data_type), "between 0 and 7");
         header_.check_sum = check_type != 0;
-    }
-
-    void require_scale(const std::string& field, double value, bool zero_too) {
-        if (zero_too && value == 0) return;
-        if (!(value > 0 && value <= (std::numeric_limits<double>::max)()))
-            refuse_field(name_, field, number_text(value), "finite and greater than 0");
     }
 
     /// Height \p index of the file is \p number, in units of Zscale.
@@ -146,7 +137,7 @@ private:
             refuse_file(name_, {"height ", index + 1,
                                 " is beyond the range of double precision; "
                                 "allowed are finite numbers"});
-        map_.heights[index] = std::isinf(number) ? missing : number * header_.z_scale;
+        set_height(map_, index, number * header_.z_scale);
     }
 
     void read_binary() {
@@ -174,14 +165,8 @@ private:
         rest.remove_prefix(35);
 
         const std::size_t size = type_bytes[header_.data_type];
-        // both below 2^32: the product fits into 64 bits, and the division below needs no more
-        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
-        if (points > rest.size() / size)
-            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
-                                " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
-        allocate(map_, header_.rows, header_.columns);
-        for (std::size_t i = 0; i < points; ++i) set(i, number_at(rest.substr(i * size, size)));
-        header_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+        header_.trailer = allocate_stored(map_, header_.rows, header_.columns, size, rest.size(), name_);
+        for (std::size_t i = 0; i < map_.heights.size(); ++i) set(i, number_at(rest.substr(i * size, size)));
     }
 
     double number_at(std::string_view bytes) const {
@@ -240,10 +225,7 @@ private:
                 if (key == lower_case(name)) return value;
             refuse_file(name_, {"states no ", name, "; must state it in its header"});
         };
-        const auto number = [&](const std::string& name) {
-            const std::string value = printable(field(name), 64);
-            return fstiff::detail::located({.file = name_}, [&] { return parse_number(value, name); });
-        };
+        const auto number = [&](const std::string& name) { return stated_number(name_, name, field(name)); };
         const auto code = [&](const std::string& name, std::initializer_list<std::string_view> names) {
             const std::string word = lower_case(field(name));
             int index = 0;
@@ -254,12 +236,7 @@ private:
             const double value = bcr_ && (word == "null" || word == "none") ? 0 : number(name);
             return value >= 0 && value <= 255 && value == std::floor(value) ? static_cast<int>(value) : 255;
         };
-        const auto count = [&](const std::string& name) {
-            const double value = number(name);
-            if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-                refuse_field(name_, name, number_text(value), "a whole number from 1 to 4294967295");
-            return static_cast<std::size_t>(value);
-        };
+        const auto count = [&](const std::string& name) { return require_count(name_, name, number(name)); };
         for (const auto& [key, value] : fields)
             if (key == "manufacid") header_.manufacturer += printable(value, 80);
         header_.columns = count("NumPoints");

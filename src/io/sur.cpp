@@ -28,10 +28,8 @@
 #include "io/readers.hpp"
 
 #include "io/binary_numbers.hpp"
-#include "io/lines.hpp"
+#include "io/required.hpp"
 #include "io/unpack.hpp"
-
-#include <fstiff/io/units.hpp>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -141,10 +139,7 @@ private:
         if (!std::isfinite(value) || value == 0 || (value < 0 && !negative))
             refuse_field(name_, field, number_text(value), negative ? "finite and not 0" : "finite and greater than 0");
         unit = words(unit_at, 16);
-        if (!is_unit(unit, Dimension::length))
-            refuse_field(name_, "unit of the " + field, shown_cell(unit),
-                         "a unit of length: " + accepted_units(Dimension::length));
-        const double factor = unit_factor(unit, Dimension::length);
+        const double factor = require_length_unit(name_, "unit of the " + field, unit);
         unit = printable(unit, 16);
         return value * factor;
     }
@@ -153,17 +148,12 @@ private:
         const std::size_t size = static_cast<std::size_t>(header_.bits) / 8;
         std::string_view rest = bytes_.substr(header_bytes);
         rest.remove_prefix((std::min)(header_.skipped, rest.size()));
-        // both below 2^31: the product fits into 64 bits
-        const std::uint64_t points = std::uint64_t(header_.columns) * header_.rows;
         std::string inflated;
-        if (bytes_.starts_with("DSCOMPRESSED")) rest = inflated = inflated_heights(rest, points, size);
-        if (points > rest.size() / size)
-            refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
-                                " bytes, but holds ", rest.size(), " bytes of them; must hold all"});
-        if (header_.streams == 0) header_.trailer = rest.size() - static_cast<std::size_t>(points) * size;
+        if (bytes_.starts_with("DSCOMPRESSED")) rest = inflated = inflated_heights(rest, size);
+        const std::size_t trailer = allocate_stored(map, header_.rows, header_.columns, size, rest.size(), name_);
+        if (header_.streams == 0) header_.trailer = trailer;
         const std::int64_t reserved = integer(100, 4) - 2;
-        allocate(map, header_.rows, header_.columns);
-        for (std::size_t i = 0; i < points; ++i) {
+        for (std::size_t i = 0; i < map.heights.size(); ++i) {
             const std::int64_t number = signed_at(rest.substr(i * size, size), big_);
             map.heights[i] = header_.marked && number == reserved ? std::numeric_limits<double>::quiet_NaN()
                                                                   : static_cast<double>(number) * header_.step;
@@ -171,7 +161,7 @@ private:
     }
 
     /// The heights of a compressed file, of \p size bytes each.
-    std::string inflated_heights(std::string_view rest, std::uint64_t points, std::size_t size) {
+    std::string inflated_heights(std::string_view rest, std::size_t size) {
         if (!inflate_)
             refuse_file(name_, {"is compressed, and this program was built without zlib; must be saved uncompressed"});
         const auto number = [&](std::size_t at) { return unsigned_at(rest.substr(at, 4), big_); };
@@ -193,7 +183,8 @@ private:
         if (deflated > rest.size() - table)
             refuse_file(name_, {"declares ", deflated, " bytes of streams, but holds ", rest.size() - table,
                                 "; must hold all"});
-        if (whole != points * size || whole > most_bytes)
+        // both below 2^31: the product fits into 64 bits
+        if (whole != std::uint64_t(header_.columns) * header_.rows * size || whole > most_bytes)
             refuse_file(name_, {"declares ", header_.columns, " x ", header_.rows, " heights of ", size,
                                 " bytes, but streams that inflate to ", whole, " bytes; must be as many, and at most ",
                                 most_bytes});

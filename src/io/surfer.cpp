@@ -81,24 +81,15 @@ private:
         text_.remove_prefix(cell.size());
         return *number;
     }
-    std::uint64_t next_count(std::string_view what) {
-        const double value = next("its header");
-        if (value < 1 || value != std::floor(value) || value > 4294967295.0)
-            refuse_field(file_.name(), what, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::uint64_t>(value);
-    }
+    std::size_t next_count(std::string_view what) { return require_count(file_.name(), what, next("its header")); }
 
     void read_text(RawMap& map) {
         form_ = "6, text";
         text_ = bytes_.substr(4);
-        const std::uint64_t columns = next_count("columns"), rows = next_count("rows");
+        const std::size_t columns = next_count("columns"), rows = next_count("rows");
         double limits[6];
         for (double& limit : limits) limit = next("its header");
-        // a digit and a blank each; both are below 2^32, so that the product fits into 64 bits
-        if (columns < 2 || rows * columns > (text_.size() + 1) / 2)
-            refuse_file(file_.name(), {"declares ", columns, " x ", rows, " heights, but has ", text_.size(),
-                                       " characters of them; must hold all, 2 a row at least"});
-        allocate(map, static_cast<std::size_t>(rows), static_cast<std::size_t>(columns));
+        allocate_text(map, rows, columns, text_.size(), file_.name());
         set_steps(map, limits[1] - limits[0], limits[3] - limits[2]);
         for (double& z : map.heights) {
             const double number = next("its heights");

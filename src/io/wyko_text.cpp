@@ -18,7 +18,7 @@
 
 #include "io/map_text.hpp"
 
-#include "io/lines.hpp"
+#include "io/required.hpp"
 #include "io/text_blocks.hpp"
 
 namespace fstiff::inline v0_1::io {
@@ -130,12 +130,7 @@ private:
         if (!otherwise) refuse_file(name_, {"states no ", called, "; must state it above its heights"});
         return *otherwise;
     }
-    std::size_t count(std::string_view called) const {
-        const double value = number(called, {});
-        if (value != std::floor(value) || value > 4294967295.0)
-            refuse_field(name_, called, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::size_t>(value);
-    }
+    std::size_t count(std::string_view called) const { return require_count(name_, called, number(called, {})); }
 
     void read_heights(RawMap& map, std::size_t nx, std::size_t ny) {
         const double unit = waves_ ? number("Wavelength", {}) * 1e-9 / number("Mult", 1) : 1e-9;

@@ -21,6 +21,7 @@
 #include "io/binary_numbers.hpp"
 #include "io/column_titles.hpp"
 #include "io/option_names.hpp"
+#include "io/required.hpp"
 #include "io/zip_archive.hpp"
 
 #include <fstiff/io/quantities.hpp>
@@ -232,10 +233,7 @@ private:
     }
 
     std::size_t count_at(const pugi::xml_node& parent, const std::string& title) const {
-        const double value = number_at(parent, title, 0);
-        if (!(value >= 1 && value <= 4294967295.0 && value == std::floor(value)))
-            refuse_field(name_, title, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::size_t>(value);
+        return require_count(name_, title, number_at(parent, title, 0));
     }
 
     void read_size() {
@@ -259,7 +257,7 @@ private:
         if (z_offset_ != 0) height += z_offset_;
         if (std::isinf(height) && !std::isinf(number))
             refuse_file(name_, {"height ", index + 1, " is beyond the range of double precision; must be within it"});
-        map_.heights[index] = std::isinf(height) ? missing : height;  // infinity marks missing points of Alicona
+        set_height(map_, index, height);  // infinity marks missing points of Alicona
     }
 
     /// The file of the archive that \p node names, relative to main.xml.

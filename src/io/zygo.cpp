@@ -77,10 +77,7 @@ private:
         return require_step(name_, what, number(line, place, what));
     }
     std::size_t count(std::size_t line, std::size_t place, std::string_view what) const {
-        const double value = number(line, place, what);
-        if (value < 1 || value != std::floor(value) || value > 4294967295.0)
-            refuse_field(name_, what, number_text(value), "a whole number from 1 to 4294967295");
-        return static_cast<std::size_t>(value);
+        return require_count(name_, what, number(line, place, what));
     }
 
     /// Value of one count, with its sign [m].
@@ -104,11 +101,7 @@ private:
     }
 
     void read_heights(RawMap& map, std::string_view text, std::size_t rows, std::size_t columns, double step) {
-        // a digit and a blank each; both are below 2^32, so that the product fits into 64 bits
-        if (columns < 2 || std::uint64_t(rows) * columns > (text.size() + 1) / 2)
-            refuse_file(name_, {"declares ", columns, " x ", rows, " heights, but has ", text.size(),
-                                " characters of them; must hold all, 2 a row at least"});
-        allocate(map, rows, columns);
+        allocate_text(map, rows, columns, text.size(), name_);
         std::size_t points = 0;
         for (text = trimmed(text); !text.empty(); text = trimmed(text), ++points) {
             const std::string_view cell = text.substr(0, text.find_first_of(" \t\r\n"));
