@@ -2,6 +2,7 @@
 #include "io/given_lengths.hpp"
 
 #include "io/column_titles.hpp"
+#include "io/missing_values.hpp"
 #include "io/option_names.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
@@ -17,6 +18,15 @@ GivenUnits given_lengths(const SurfaceOptions& options, const std::string& name,
                            of_positions ? " (x and y, heights), of " : ", one of ", accepted_units(Dimension::length)});
     return {std::string(given.front()), std::string(given.back()), unit_factor(given.front(), Dimension::length),
             unit_factor(given.back(), Dimension::length)};
+}
+
+std::string take_heights(std::vector<double>& heights, const GivenUnits& units, const SurfaceOptions& options,
+                         const std::string& name) {
+    const MissingValues missing = given_missing(options.missing, name);
+    mark_missing(heights.data(), heights.size(), missing, std::numeric_limits<double>::quiet_NaN(), name, options.names,
+                 units.heights, [](std::size_t) { return std::size_t(0); });
+    for (double& z : heights) z *= units.vertical;
+    return missing.note();
 }
 
 std::optional<GivenStep> step_of_options(const LengthOption& each, const LengthOption& whole, std::size_t points,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Units and steps of the options, for a file of numbers that states none.
+/// Units, missing points and steps of the options, for a file of numbers that states none.
 ///
 /// Units       m
 
@@ -19,6 +19,11 @@ struct GivenUnits {
 };
 /// \p of_positions: whether the file has positions too. \throws domain_error without units, or for one of no length.
 GivenUnits given_lengths(const SurfaceOptions& options, const std::string& name, bool of_positions);
+
+/// Gives the numbers \p heights their unit [m]; NaN of those that the options mark as missing. \return that mark, for a
+/// record \throws domain_error for a suspected one where the options mark none.
+std::string take_heights(std::vector<double>& heights, const GivenUnits& units, const SurfaceOptions& options,
+                         const std::string& name);
 
 /// Whether \p options give a size of a map.
 inline bool gives_size(const SurfaceOptions& options) {

@@ -16,7 +16,6 @@
 
 #include "io/given_lengths.hpp"
 #include "io/mat_file.hpp"
-#include "io/missing_values.hpp"
 #include "io/regular_grid.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
@@ -34,10 +33,7 @@ public:
         const MatVariable& chosen = choose();
         const GivenUnits units = given_lengths(options_, name_, true);
         MatNumbers heights = mat_numbers(bytes_, name_, chosen);
-        const MissingValues missing = given_missing(options_.missing, name_);
-        mark_missing(heights.values.data(), heights.values.size(), missing, std::numeric_limits<double>::quiet_NaN(),
-                     name_, options_.names, units.heights, [](std::size_t) { return std::size_t(0); });
-        for (double& z : heights.values) z *= units.vertical;
+        const std::string missing = take_heights(heights.values, units, options_, name_);
         RawMap map;
         const std::string from =
             is_placed() ? place(map, chosen, heights.values, units) : take_columns(map, chosen, heights.values);
@@ -45,7 +41,7 @@ public:
         record.note("form", "MATLAB file, variable " + chosen.shown());
         record.note("units", units.note());
         record.note("spacing", "from " + from);
-        record.note_points(map, missing.note());
+        record.note_points(map, missing);
         if (const std::string others = list(&chosen); !others.empty())
             record.note("other variables", others + ", not read" + (is_placed() ? " but for x and y" : ""));
         record.resolution = heights.are_whole ? units.vertical : 0;

@@ -18,7 +18,6 @@
 
 #include "io/binary_numbers.hpp"
 #include "io/given_lengths.hpp"
-#include "io/missing_values.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -65,8 +64,7 @@ public:
         read_heights(map);
         header_.unit = units.heights;
         header_.size_from = steps.from;
-        missing_points(map);
-        for (double& z : map.heights) z *= units.vertical;
+        header_.missing_note = take_heights(map.heights, units, options_, name_);
         set_spacings(map, steps.dx, steps.dy, name_);
         if (type_ != 'f') header_.resolution = units.vertical;
         Record record = record_of(header_, map);
@@ -187,17 +185,9 @@ private:
         const std::size_t rows = header_.rows, columns = header_.columns;
         allocate(map, rows, columns);
         for (std::size_t row = 0; row < rows; ++row)
-            for (std::size_t column = 0; column < columns; ++column) {
-                const double z = number(header_.fortran_order ? column * rows + row : row * columns + column);
-                map.heights[row * columns + column] = std::isinf(z) ? std::numeric_limits<double>::quiet_NaN() : z;
-            }
-    }
-
-    void missing_points(RawMap& map) {
-        const MissingValues missing = given_missing(options_.missing, name_);
-        header_.missing_note = missing.note();
-        mark_missing(map.heights.data(), map.heights.size(), missing, std::numeric_limits<double>::quiet_NaN(), name_,
-                     options_.names, header_.unit, [](std::size_t) { return std::size_t(0); });
+            for (std::size_t column = 0; column < columns; ++column)
+                set_height(map, row * columns + column,
+                           number(header_.fortran_order ? column * rows + row : row * columns + column));
     }
 
     std::string_view rest_;

@@ -49,17 +49,14 @@ public:
             read_six(map);
         else
             read_seven(map);
-        const MissingValues missing = given_missing(options_.missing, file_.name());
-        mark_missing(map.heights.data(), map.heights.size(), missing, std::numeric_limits<double>::quiet_NaN(),
-                     file_.name(), options_.names, units.heights, [](std::size_t) { return std::size_t(0); });
-        for (double& z : map.heights) z *= units.vertical;
+        const std::string missing = take_heights(map.heights, units, options_, file_.name());
         set_spacings(map, require_step(file_.name(), "step of x", map.dx * units.lateral),
                      map.rows == 1 ? 0 : require_step(file_.name(), "step of y", map.dy * units.lateral), file_.name());
         Record record;
         record.note("form", "grid of Surfer " + form_);
         record.note("units", units.note());
         record.note("spacing", "from the extents of x and y over the points");
-        record.note_points(map, missing.note());
+        record.note_points(map, missing);
         record.say_trailer(trailer_);
         return {std::move(map), std::move(record)};
     }
