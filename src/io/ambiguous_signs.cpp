@@ -2,7 +2,6 @@
 #include "io/ambiguous_signs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -118,49 +117,43 @@ void refuse_double_comma(const NumberTable& table, const std::string& name) {
 
 namespace {
 
-/// Whether \p cell is three digits, with decimals or none.
-bool is_group(std::string_view cell) {
-    const std::size_t digits = (std::min)(cell.find_first_not_of("0123456789"), cell.size());
-    return digits == 3 && (cell.size() == 3 || ((cell[3] == '.' || cell[3] == ',') &&
-                                                cell.find_first_not_of("0123456789", 4) == std::string_view::npos));
+/// "--thousands none", for messages.
+std::string none_between_thousands(const OptionNames& names) {
+    return names.prefix + "thousands" + names.equals + (names.prefix.empty() ? "\"none\"" : "none");
 }
 
 }  // namespace
 
 void refuse_split_thousands(const NumberTable& table, const std::string& name) {
-    const char separator = table.dialect.separator;
-    if ((separator != ' ' && separator != ',') || !table.thousands.empty()) return;
-    std::vector<std::size_t> columns(table.columns);  // where this may be so
-    for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = c;
-    std::vector<std::size_t> zeros(table.columns);  // the line of the first zero before others
-    std::vector<std::string_view> cells;
-    for (std::size_t i = table.first, r = 0; i < table.lines.size() && r < table.rows() && !columns.empty(); ++i) {
-        if (table.lines[i].number != table.row_lines[r]) continue;
-        ++r;
-        split_line(without_comment(table.lines[i].text), separator, cells);
-        const auto cannot = [&](std::size_t c) {
-            if (c == 0 || c >= cells.size() || !is_group(cells[c])) return true;
-            const std::string_view before = cells[c - 1];
-            const auto from = static_cast<std::size_t>(before.starts_with('-') || before.starts_with('+'));
-            if (before.size() == from || before.size() > from + 3 || before[from] == '0' ||
-                before.find_first_not_of("0123456789", from) != std::string_view::npos ||
-                before.data() + before.size() + 1 != cells[c].data() || before.data()[before.size()] != separator)
-                return true;
-            if (cells[c][0] == '0' && zeros[c] == 0) zeros[c] = table.lines[i].number;
-            return false;
-        };
-        columns.erase(std::remove_if(columns.begin(), columns.end(), cannot), columns.end());
-    }
-    for (const std::size_t c : columns)
-        if (zeros[c] != 0) {
-            const std::string option = table.names.prefix + "thousands" + table.names.equals;
-            refuse_line(
-                name, zeros[c],
-                {"columns ", c, " and ", c + 1, " may be one number with a ", separator == ' ' ? "blank" : "comma",
-                 " between its thousands; must ",
-                 separator == ' ' ? "be given by " + option + "\" \"" : "have another separator of columns",
-                 ", or, if they are two, be given by ", option, table.names.prefix.empty() ? "\"none\"" : "none"});
-        }
+    const bool blank = table.dialect.separator == ' ';
+    if (!(blank || table.dialect.separator == ',') || !table.thousands.empty()) return;
+    for (std::size_t c = 0; c < table.columns; ++c)
+        if (const std::size_t line = table.signs[c].split_line(); line != 0)
+            refuse_line(name, line,
+                        {"columns ", c, " and ", c + 1, " may be one number with a ", blank ? "blank" : "comma",
+                         " between its thousands; must ",
+                         blank ? "be given by " + table.names.prefix + "thousands" + table.names.equals + "\" \""
+                               : "have another separator of columns",
+                         ", or, if they are two, be given by ", none_between_thousands(table.names)});
+}
+
+void refuse_thousands(const NumberTable& table, const std::vector<std::size_t>& columns, bool together,
+                      const std::string& name) {
+    if (!table.thousands.empty()) return;
+    const std::string_view sign = table.dialect.decimal_comma ? "," : ".";
+    std::vector<ColumnSigns> all(together ? 1 : columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) all[together ? 0 : k].add(table.signs[columns[k]]);
+    const bool known =
+        sign == "." || std::any_of(all.begin(), all.end(), [](const auto& one) { return one.are_decimal(); });
+    for (const ColumnSigns& signs : all)
+        if (signs.may_be_thousands(known))
+            refuse_line(name, signs.grouped().line,
+                        {shown_cell(signs.grouped().cell),
+                         " may be a whole number with a separator of thousands, because "
+                         "every fraction has three digits and ",
+                         shown_cell(signs.whole().cell), " in line ", signs.whole().line, " has none; must be ",
+                         given_as(table.names, "thousands", "\"" + std::string(sign) + "\""),
+                         ", or, if it is decimal, by ", none_between_thousands(table.names)});
 }
 
 void settle_lone_commas(NumberTable& table) {

@@ -34,6 +34,11 @@ void refuse_double_comma(const NumberTable& table, const std::string& name);
 /// digits, in some with a zero before others, follow a whole number of one to three digits.
 void refuse_split_thousands(const NumberTable& table, const std::string& name);
 
+/// Refuses \p columns of \p table, counted from 0 in the file, whose comma or point may separate thousands
+/// (io/column_signs.hpp): each by itself, or \p together, as in a matrix. Nothing is refused where an option settled it.
+void refuse_thousands(const NumberTable& table, const std::vector<std::size_t>& columns, bool together,
+                      const std::string& name);
+
 /// In "0,12" the comma may separate two columns, be decimal, or separate thousands. It separates columns, unless no
 /// row holds a point and the columns that it would separate could not be equally spaced positions and heights.
 void settle_lone_commas(NumberTable& table);

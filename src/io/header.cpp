@@ -61,26 +61,25 @@ std::vector<std::string_view> entry_cells(std::string_view line) {
 
 }  // namespace
 
-std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all) {
+std::vector<HeaderEntry> header_entries(std::span<const Line> lines, Dialect dialect, bool all) {
     std::vector<HeaderEntry> entries;
     std::vector<std::string_view> words;
-    const auto add = [&](std::string_view text, std::size_t sign, std::size_t length, std::size_t line) {
-        std::string_view value = trimmed(text.substr(sign + length));
+    const auto add = [&](std::string_view entry, std::size_t sign, std::size_t length, std::size_t line) {
+        std::string_view value = trimmed(entry.substr(sign + length));
         while (!value.empty() && (value.back() == ',' || value.back() == ';' || is_blank(value.back())))
             value.remove_suffix(1);
-        entries.push_back(
-            {header_key(text.substr(0, sign)), with_decimal_point(value, table.dialect.decimal_comma), line});
+        entries.push_back({header_key(entry.substr(0, sign)), with_decimal_point(value, dialect.decimal_comma), line});
     };
-    for (std::size_t i = 0; i < table.first; ++i) {
-        std::string_view line = table.lines[i].text;
+    for (const auto& [text, number] : lines) {
+        std::string_view line = text;
         while (!line.empty() && (is_blank(line.front()) || line.front() == '#' || line.front() == '%' ||
                                  line.front() == '!' || line.front() == '/' || line.front() == ';'))
             line.remove_prefix(1);
         if (const auto cells = entry_cells(line); !cells.empty()) {
             entries.push_back({header_key(cells[0]),
-                               with_decimal_point(cells[1], table.dialect.decimal_comma) +
+                               with_decimal_point(cells[1], dialect.decimal_comma) +
                                    (cells.size() == 3 ? " " + std::string(cells[2]) : std::string()),
-                               table.lines[i].number});
+                               number});
             continue;
         }
         const std::size_t wide = line.find(wide_colon), narrow = line.find_first_of(":=");
@@ -88,11 +87,11 @@ std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all) {
         // "NODATA_value -9999" of an ESRI grid
         if (split_line(line, ' ', words); words.size() == 2 && is_grid_word(words[0])) {
             const auto at = static_cast<std::size_t>(words[0].data() - line.data());
-            add(line, at + words[0].size(), 1, table.lines[i].number);
+            add(line, at + words[0].size(), 1, number);
             continue;
         }
         if (sign == std::string_view::npos || sign == 0) {
-            if (all && !line.empty()) entries.push_back({"", std::string(line), table.lines[i].number});
+            if (all && !line.empty()) entries.push_back({"", std::string(line), number});
             continue;
         }
         // "h=305 w=75": every word an entry
@@ -101,11 +100,15 @@ std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all) {
             return equal != std::string_view::npos && equal > 0 && equal + 1 < word.size();
         });
         if (words.size() > 1 && every_word)
-            for (const std::string_view word : words) add(word, word.find('='), 1, table.lines[i].number);
+            for (const std::string_view word : words) add(word, word.find('='), 1, number);
         else
-            add(line, sign, sign == wide ? wide_colon.size() : 1, table.lines[i].number);
+            add(line, sign, sign == wide ? wide_colon.size() : 1, number);
     }
     return entries;
+}
+
+std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all) {
+    return header_entries(std::span(table.lines).first(table.first), table.dialect, all);
 }
 
 const HeaderEntry* find_entry(const std::vector<HeaderEntry>& entries, std::string_view key) {

@@ -10,6 +10,8 @@
 
 #include <fstiff/io/write.hpp>
 
+#include <span>
+
 namespace fstiff::inline v0_1::io::detail {
 
 /// "key: value" or "key = value" of a header, or another line of it.
@@ -19,7 +21,9 @@ struct HeaderEntry {
     std::size_t line;
 };
 
-/// Those of \p table; \p all: with its lines without a sign.
+/// Those of \p lines, whose lengths have the decimal sign of \p dialect; \p all: with lines without a sign.
+std::vector<HeaderEntry> header_entries(std::span<const Line> lines, Dialect dialect, bool all = false);
+/// Those of the header of \p table.
 std::vector<HeaderEntry> header_entries(const NumberTable& table, bool all = false);
 
 /// Grid of a matrix by its header: lengths [m], counts.

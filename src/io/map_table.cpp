@@ -6,7 +6,7 @@ namespace fstiff::inline v0_1::io::detail {
 const NumberTable& MapTable::table(std::string_view missing) {
     if (!table_.row_lines.empty()) return table_;
     table_.missing = stated_missing(entries_, missing, name_);
-    read_rows(table_, name_, map_rules);
+    read_rows(table_, name_);
     axes_ = is_zygo() || !table_.words.empty() ? std::nullopt : axes_of(table_);
     if (axes_ && axes_->in_table && states_other_count()) axes_.reset();
     titles_ = titles_above(table_);
@@ -91,12 +91,9 @@ const std::optional<Grid>& MapTable::grid() {
     return *grid_;
 }
 
-NumberTable MapTable::reopened(const TableRules& rules) && {
-    SurfaceOptions options;
-    options.names = table_.names;
-    options.thousands = table_.thousands;
-    table_.lines.insert(table_.lines.end(), table_.footer.begin(), table_.footer.end());
-    return open_table(std::move(table_.lines), name_, rules, options, table_.before);
+NumberTable MapTable::unread() && {
+    table_.forget_rows();
+    return std::move(table_);
 }
 
 bool MapTable::states_other_count() const {

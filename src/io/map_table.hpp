@@ -17,16 +17,11 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
-inline constexpr TableRules map_rules{.holds = "rows of numbers"};
-
 /// Each step is done once. The text must outlive it.
 class MapTable {
 public:
-    /// \p before: lines of the file above the header.
-    MapTable(std::vector<Line> lines, std::string name, const SurfaceOptions& options, std::size_t before)
-        : name_(std::move(name)),
-          table_(open_table(std::move(lines), name_, map_rules, options, before)),
-          entries_(header_entries(table_, true)) {}
+    MapTable(NumberTable table, std::string name)
+        : name_(std::move(name)), table_(std::move(table)), entries_(header_entries(table_, true)) {}
 
     /// The columns of the first row; of all rows once they are read.
     const NumberTable& opened() const { return table_; }
@@ -54,8 +49,8 @@ public:
     void require_no_lone_axis(const OptionNames& names) const;
     /// The grid of the first two columns, sought once.
     const std::optional<Grid>& grid();
-    /// The same lines as a table of other rules, whose rows are yet to be read.
-    NumberTable reopened(const TableRules& rules) &&;
+    /// The table as it was opened.
+    NumberTable unread() &&;
 
 protected:
     /// Whether the header counts the columns of the whole table, or states a size of it.

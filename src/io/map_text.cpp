@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/map_text.hpp"
 
+#include "io/ambiguous_signs.hpp"
 #include "io/map_steps.hpp"
 #include "io/matrix_unit.hpp"
 #include "io/readers.hpp"
-#include "io/thousands.hpp"
 #include "io/zygo_xyz.hpp"
 
 namespace fstiff::inline v0_1::io {

@@ -102,16 +102,20 @@ void drop_axes(NumberTable& table, const MatrixAxes& axes) {
             table.values[r * table.columns + c] = table.values[(r + first) * columns + c + 1];
     table.values.resize(rows * table.columns);
     if (axes.in_table) table.row_lines.erase(table.row_lines.begin());
-    // the digits of the heights alone
+    // the digits and signs of the heights alone
     table.printed.assign(std::min<std::size_t>(table.columns, 4), PrintedDigits());
+    table.signs.assign(columns, ColumnSigns());
+    const std::string_view sign = table.dialect.decimal_comma ? "," : ".";
     std::vector<std::string_view> cells;
     std::size_t r = 0;
     for (std::size_t i = table.first; i < table.lines.size() && r < rows; ++i) {
         if (table.lines[i].number != table.row_lines[r]) continue;
         split_row(without_comment(table.lines[i].text), table.dialect.separator, cells);
-        for (std::size_t c = 0; c < table.printed.size(); ++c)
-            if (const double value = table.at(r, c); std::isfinite(value) && !table.missing.has(value))
-                table.printed[c].add(cells[c + 1], value);
+        for (std::size_t c = 0; c < table.columns; ++c)
+            if (const double value = table.at(r, c); std::isfinite(value) && !table.missing.has(value)) {
+                if (c < table.printed.size()) table.printed[c].add(cells[c + 1], value);
+                table.signs[c + 1].add(cells[c + 1], value, table.row_lines[r], sign);
+            }
         ++r;
     }
 }

@@ -81,6 +81,9 @@ double last_digit_of(std::string_view cell);
 /// double counts as zero; what is too large is infinite, to be refused by the caller.
 std::optional<double> number_in(std::string_view cell, bool decimal_comma);
 
+/// Whether a number fills \p cell, with either decimal sign.
+inline bool is_number(std::string_view cell) { return number_in(cell, false) || number_in(cell, true); }
+
 /// Separators of thousands, as an option names them: a blank is one of Unicode and of CP1252 too, an apostrophe the
 /// typographic one too.
 inline constexpr std::array<std::string_view, 4> thousands_signs{",", ".", "'", " "};

@@ -1,43 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Rows of numbers below a header: separators, cells, and the table that the readers of
-/// text share.
+/// Rows of numbers below a header, the table that the readers of text share.
 ///
-/// A text is cut into lines once (lines_of), its table opened once (open_table: where the header ends, which
-/// separators), and its numbers parsed once (read_rows).
+/// A text is cut into lines once (lines_of), its table opened once (io/row_layout.hpp: which lines are rows, how they
+/// are written), and its numbers parsed once (read_rows), with what their signs show.
 ///
 /// Valid       lines up to 2^20 characters, files up to 2^31 bytes
 /// Accuracy    numbers are correctly rounded
 
+#include "io/cells.hpp"
+#include "io/column_signs.hpp"
 #include "io/missing_values.hpp"
 #include "io/reading.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 
-struct Dialect {
-    char separator = ' ';  // ' ' is any run of blanks and tabs, else one of ; , | and the tab
-    bool decimal_comma = false;
-};
-
-std::string_view unquoted(std::string_view cell);
-
-/// The cells of a line, empty ones included except at its end; a separator between quotes is none.
-void split_line(std::string_view line, char separator, std::vector<std::string_view>& cells);
-
-/// The cells of a line, empty ones at its end included.
-void split_row(std::string_view line, char separator, std::vector<std::string_view>& cells);
-
-/// \p line up to a "#" that is glued neither to a number nor to a word for a missing point, as in 1.#IND and #N/A.
-std::string_view without_comment(std::string_view line);
-
-bool is_comment(std::string_view line);
-
-/// Forms that the rows of a table may have.
-struct TableRules {
-    std::string_view holds;   ///< what must be there, for messages
-    bool short_rows = false;  ///< empty cells at the end of a row may be left out, with their separators
-};
+/// Whether empty cells at the end of a row may be left out, with their separators.
+enum class RowEnds { whole, may_be_short };
 
 /// Columns of a table with short rows, which would take memory that the text does not.
 inline constexpr std::size_t max_short_row_columns = max_profile_columns;
@@ -56,12 +36,16 @@ struct NumberTable {
     std::vector<std::size_t> row_lines;
     std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
     std::vector<LoneWhole> wholes;       // of all columns
+    std::vector<ColumnSigns> signs;      // of all columns, where no option settles them
     MissingValues missing;               // in addition to the words that are always missing
     OptionNames names{};                 // for messages
     std::string thousands{};             // the option
 
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
+
+    /// Leaves the table as it was opened.
+    void forget_rows();
 
     /// Describes in one line what its columns are read as, \p roles, its separators, which one column lacks where
     /// \p may_be_one, and what is not used; then its header.
@@ -75,12 +59,13 @@ private:
     std::size_t rows_with_words() const;
 };
 
-/// Finds the end of the header and the separators. \throws domain_error when no line is a row of numbers.
-NumberTable open_table(std::vector<Line> lines, const std::string& name, const TableRules& rules,
-                       const SurfaceOptions& options = {}, std::size_t before = 0);
-NumberTable open_table(std::string_view text, const std::string& name, const TableRules& rules);
+/// Cells of the first row up to the last that is not empty.
+std::size_t written_columns(const NumberTable& table);
 
-/// Reads the rows of a table that open_table has opened.
-void read_rows(NumberTable& table, const std::string& name, const TableRules& rules);
+/// Whether column \p c has words but no number from the first row on.
+bool is_text_column(const NumberTable& table, std::size_t c);
+
+/// Reads the rows of a table that open_table() has opened.
+void read_rows(NumberTable& table, const std::string& name, RowEnds ends = RowEnds::whole);
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -4,7 +4,7 @@
 #include "io/ambiguous_signs.hpp"
 #include "io/height_sense.hpp"
 #include "io/readers.hpp"
-#include "io/thousands.hpp"
+#include "io/row_layout.hpp"
 #include "io/unequal_steps.hpp"
 
 namespace fstiff::inline v0_1::io {
@@ -31,10 +31,11 @@ public:
         : name_(std::move(name)), options_(options), table_(std::move(table)) {}
 
     Reading read() {
+        take_rows_above(table_);
         settle_lone_commas(table_);
         entries_ = header_entries(table_, true);
         table_.missing = stated_missing(entries_, options_.missing, name_);
-        read_rows(table_, name_, profile_rules);
+        read_rows(table_, name_, RowEnds::may_be_short);
         choose_columns();
         choose_units();
         RawMap row;

@@ -27,14 +27,7 @@
 
 namespace fstiff::inline v0_1::io {
 
-namespace detail {
-
-inline constexpr TableRules profile_rules{.holds = "one or two columns of numbers", .short_rows = true};
-
-}  // namespace detail
-
-/// Reads a table that open_table() has opened by profile_rules; the text must outlive the call. Messages call it \p
-/// name. \throws domain_error naming file, line, value and what is allowed.
+/// Reads a table that open_table() has opened; the text must outlive the call. Messages call it \p name. \throws domain_error naming file, line, value and what is allowed.
 [[nodiscard]] Reading read_profile(detail::NumberTable table, const std::string& name, const SurfaceOptions& options);
 
 }  // namespace fstiff::inline v0_1::io

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/row_layout.hpp"
 
+#include "io/ambiguous_signs.hpp"
 #include "io/header.hpp"
+#include "io/zygo_xyz.hpp"
 
 #include <map>
 
@@ -9,7 +11,6 @@ namespace fstiff::inline v0_1::io::detail {
 
 namespace {
 
-bool is_number(std::string_view cell) { return number_in(cell, false) || number_in(cell, true); }
 bool begins_with_number(std::string_view cell) {
     const std::size_t begin = cell.find_first_not_of("+-.,'( ");
     return begin < cell.size() && is_digit(cell[begin]);
@@ -161,6 +162,9 @@ bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& ce
     return number || (gap && !ornament);
 }
 
+namespace {
+
+/// Refuses a table without rows of numbers whose cells are numbers with their units.
 void refuse_units_in_cells(const NumberTable& table, const std::string& name) {
     std::vector<std::string_view> cells;
     for (const Line& line : table.lines)
@@ -173,6 +177,7 @@ void refuse_units_in_cells(const NumberTable& table, const std::string& name) {
         }
 }
 
+/// Finds the columns of words, where the lines are no rows of numbers alone, and the first row.
 void find_words(NumberTable& table) {
     const auto [plain, interrupted] = plain_rows(table);
     if (plain > 0 && !interrupted) return;
@@ -193,17 +198,9 @@ void find_words(NumberTable& table) {
     table.first = best->first;
     table.words = best->words;
     table.dialect = {best->separator, false};
-    std::vector<std::string_view> cells;
-    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
-        split_row(without_comment(table.lines[i].text), best->separator, cells);
-        for (std::size_t c = 0; c < cells.size() && c < table.words.size(); ++c)
-            if (const std::size_t sign = cells[c].find_first_of(".,"); !table.words[c] && sign < cells[c].size()) {
-                table.dialect.decimal_comma = cells[c][sign] == ',';
-                return;
-            }
-    }
 }
 
+/// Moves the lines after the last row to NumberTable::footer.
 void drop_footer(NumberTable& table) {
     std::vector<std::string_view> cells, first;
     split_row(without_comment(table.lines[table.first].text), table.dialect.separator, first);
@@ -234,16 +231,123 @@ void drop_footer(NumberTable& table) {
     // comments next to the rows stay
     while (end < table.lines.size() && is_comment(table.lines[end].text)) ++end;
     if (end == table.lines.size() || end <= table.first || table.lines.size() - end > end - table.first) return;
-    NumberTable after;
-    after.lines.assign(table.lines.begin() + static_cast<std::ptrdiff_t>(end), table.lines.end());
-    after.first = after.lines.size();
-    after.dialect = table.dialect;
-    const std::vector<HeaderEntry> entries = header_entries(after, true);
+    const auto after = std::span(table.lines).subspan(end);
+    const std::vector<HeaderEntry> entries = header_entries(after, table.dialect, true);
     for (const HeaderEntry& entry : entries)
         if (is_height_unit_key(entry.key) || is_size_key(entry.key)) return;
     if (stated_scale(entries).entry) return;
-    table.footer = std::move(after.lines);
+    table.footer.assign(after.begin(), after.end());
     table.lines.resize(end);
+}
+
+/// The first line from \p begin on that is a row of numbers, with its dialect; the end where there is none.
+std::size_t row_from(std::size_t begin, NumberTable& table, const std::string& name) {
+    for (std::size_t i = begin; i < table.lines.size(); ++i) {
+        const std::string_view line = table.lines[i].text;
+        if (is_comment(line)) continue;
+        if (const auto dialect = dialect_of(without_comment(line))) {
+            refuse_blank_groups(table, name, table.lines[i], *dialect);
+            table.dialect = *dialect;
+            return i;
+        }
+        refuse_grouped_row(table, name, table.lines[i]);
+    }
+    return table.lines.size();
+}
+
+/// Takes for a header the rows up to one that holds nothing but the number of those after it, 16 or more, as Mitutoyo
+/// and others write it below the length of a profile.
+void skip_count(NumberTable& table, const std::string& name) {
+    constexpr std::size_t least = 16, highest = 8;
+    const std::size_t begin = table.first, end = (std::min)(begin + highest, table.lines.size());
+    for (std::size_t i = begin; i < end; ++i) {
+        const auto count = number_in(trimmed(table.lines[i].text), false);
+        const auto most = static_cast<double>(table.lines.size() - i - 1);
+        if (!count || *count < least || *count > most || 2 * *count < most) continue;
+        const auto rows = std::count_if(table.lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, table.lines.end(),
+                                        [](const Line& line) { return !is_comment(line.text); });
+        if (static_cast<double>(rows) != *count) continue;
+        table.counted = i + 1;
+        table.first = row_from(i + 1, table, name);
+        return;
+    }
+}
+
+/// Whether a row between commas has a number with a decimal comma, in quotes.
+bool has_quoted_comma(const NumberTable& table) {
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        if (table.lines[i].text.find('"') == std::string_view::npos) continue;
+        split_line(table.lines[i].text, ',', cells);
+        for (const std::string_view cell : cells)
+            if (number_in(cell, true) && !number_in(cell, false)) return true;
+    }
+    return false;
+}
+
+/// The decimal sign of the rows, which the first row alone may hide, as in "0 1,5" and "0;1,5".
+void find_decimal_sign(NumberTable& table) {
+    if (table.dialect.separator == ',') {
+        table.dialect.decimal_comma = table.dialect.decimal_comma || has_quoted_comma(table);
+        return;
+    }
+    std::vector<std::string_view> cells;
+    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
+        if (is_comment(table.lines[i].text)) continue;
+        split_row(without_comment(table.lines[i].text), table.dialect.separator, cells);
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const std::size_t sign = cells[c].find_first_of(".,");
+            if (sign == std::string_view::npos || (c < table.words.size() && table.words[c])) continue;
+            table.dialect.decimal_comma = cells[c][sign] == ',';
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+NumberTable open_table(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options,
+                       std::size_t before) {
+    constexpr std::string_view wanted = "; must hold rows of numbers";
+    if (lines.empty()) refuse_file(name, {"holds blank lines only", wanted});
+    NumberTable table{.lines = std::move(lines), .before = before};
+    table.names = options.names;
+    table.thousands = options.thousands;
+    table.first = row_from(zygo_header(table.lines), table, name);
+    skip_count(table, name);
+    find_words(table);
+    if (table.first == table.lines.size()) {
+        refuse_units_in_cells(table, name);
+        refuse_line(
+            name, table.lines.front().number,
+            {shown_cell(table.lines.front().text), " is not a row of numbers, nor is any line after it", wanted});
+    }
+    find_decimal_sign(table);
+    table.columns = written_columns(table);
+    drop_footer(table);
+    return table;
+}
+
+NumberTable open_table(std::string_view text, const std::string& name) {
+    std::size_t count = 0;
+    return open_table(lines_of(text, name, count), name);
+}
+
+void take_rows_above(NumberTable& table) {
+    const char separator = table.dialect.separator;
+    if (separator == ' ') return;
+    std::vector<std::string_view> cells, row;
+    split_line(without_comment(table.lines[table.first].text), separator, row);
+    while (table.first > 0) {
+        const std::string_view line = table.lines[table.first - 1].text;
+        split_line(line, separator, cells);
+        if (is_comment(line) || cells.size() != row.size()) return;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const bool number = number_in(cells[c], table.dialect.decimal_comma).has_value();
+            if (number != !row[c].empty() || (!number && !is_text_column(table, c))) return;
+        }
+        --table.first;
+    }
 }
 
 void drop_frame(std::vector<Line>& lines) {
@@ -259,7 +363,7 @@ void drop_frame(std::vector<Line>& lines) {
         if (is_framed(line)) line.text = trimmed(line.text.substr(1, line.text.size() - 2));
 }
 
-std::optional<std::string> turned_rows(const NumberTable& table) {
+std::optional<TurnedRows> turned_rows(const NumberTable& table) {
     constexpr std::size_t least = 16;
     std::vector<std::vector<std::string_view>> rows;
     for (std::size_t i = table.first; i < table.lines.size(); ++i) {
@@ -291,7 +395,7 @@ std::optional<std::string> turned_rows(const NumberTable& table) {
             text += (r == 0 ? "" : std::string(1, table.dialect.separator)) + quote + std::string(rows[r][c]) + quote;
         }
     }
-    return text + '\n';
+    return TurnedRows{text + '\n', rows.size()};
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -21,20 +21,26 @@ namespace fstiff::inline v0_1::io::detail {
 /// Whether a line of cells is a row of \p table: numbers, missing points, and words where its columns hold words.
 bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& cells);
 
-/// Finds the columns of words of \p table, where its lines are no rows of numbers alone, and its first row.
-void find_words(NumberTable& table);
+/// Finds the rows of a text, their separator and decimal sign, and the columns of words; \p before: lines of the file
+/// above it. \throws domain_error when no line is a row of numbers.
+NumberTable open_table(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options = {},
+                       std::size_t before = 0);
+NumberTable open_table(std::string_view text, const std::string& name);
 
-/// Refuses a table without rows of numbers whose cells are numbers with their units.
-void refuse_units_in_cells(const NumberTable& table, const std::string& name);
-
-/// Moves the lines after the last row to NumberTable::footer.
-void drop_footer(NumberTable& table);
+/// Takes for rows those directly above the first one that have words only where the rows have nothing, as next to the
+/// results of an instrument.
+void take_rows_above(NumberTable& table);
 
 /// Takes away the bars at both ends of lines, and the lines that draw the frame of a table, as Markdown has them.
 void drop_frame(std::vector<Line>& lines);
 
-/// The rows of \p table as columns, below its header, where it has one row of heights, or a row of positions in equal
-/// steps above a row of heights; none for other tables.
-std::optional<std::string> turned_rows(const NumberTable& table);
+/// One or two rows of a table as the columns of a text, below its header.
+struct TurnedRows {
+    std::string text;
+    std::size_t rows{};
+};
+/// Those of \p table where it has one row of heights, or a row of positions in equal steps above a row of heights; none
+/// for other tables.
+std::optional<TurnedRows> turned_rows(const NumberTable& table);
 
 }  // namespace fstiff::inline v0_1::io::detail

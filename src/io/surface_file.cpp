@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
 
+#include "io/ambiguous_signs.hpp"
 #include "io/map_text.hpp"
 #include "io/profile_text.hpp"
 #include "io/readers.hpp"
@@ -126,20 +127,21 @@ namespace detail {
 
 namespace {
 
-/// A text of one or two rows with its rows as columns (io/row_layout.hpp); none for other texts, and for a map: where
-/// \p options give its size, or where they do not ask for a profile and the header above two rows states a size or a
-/// form.
-std::optional<std::string> turned_text(const std::vector<Line>& lines, const std::string& name,
-                                       const SurfaceOptions& options, std::size_t before) {
-    constexpr std::size_t few = 256;  // lines of a header, and one or two rows
-    if (gives_size(options) || lines.size() >= few) return std::nullopt;
-    const NumberTable table = open_table(lines, name, map_rules, options, before);
-    std::optional<std::string> turned = turned_rows(table);
-    const auto rows = std::count_if(table.lines.begin() + static_cast<std::ptrdiff_t>(table.first), table.lines.end(),
-                                    [](const Line& line) { return !is_comment(line.text); });
-    if (!turned || rows == 1 || asks_for_profile(options)) return turned;
-    const auto entries = header_entries(table);
-    return stated_form(entries) || stated_grid(entries, "m", name).has_size() ? std::nullopt : turned;
+/// The text of a table of one or two rows with its rows as columns (io/row_layout.hpp); none for other tables, and for a
+/// map: where \p options give its size, or where they do not ask for a profile and the header above two rows states a
+/// form or both sides. A step alone may be that of a profile.
+std::optional<std::string> turned_text(const NumberTable& table, const SurfaceOptions& options,
+                                       const std::string& name) {
+    if (gives_size(options)) return std::nullopt;
+    std::optional<TurnedRows> turned = turned_rows(table);
+    if (!turned) return std::nullopt;
+    if (turned->rows == 2 && !asks_for_profile(options)) {
+        const auto entries = header_entries(table);
+        const StatedGrid grid = stated_grid(entries, "m", name);
+        const bool one_step = grid.dx && grid.dy && grid.dx->line == grid.dy->line;
+        if (stated_form(entries) || (grid.has_size() && !one_step)) return std::nullopt;
+    }
+    return std::move(turned->text);
 }
 
 /// Reads a text of the form record.format, which is chosen here where it is automatic.
@@ -157,23 +159,17 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
         return read_wyko_text(std::move(lines), name, options);
     }
     ChosenBlock chosen = chosen_block(blocks_of(std::move(lines), name, options), name, options);
-    std::vector<Line>& own = chosen.block.lines;
-    const std::size_t before = chosen.block.line - 1;
-    const auto turned = may_be_profile ? turned_text(own, name, options, before) : std::nullopt;
-    if (turned) own = lines_of(*turned, name, count);
+    NumberTable& table = chosen.block.table;
+    const auto turned = may_be_profile ? turned_text(table, options, name) : std::nullopt;
+    if (turned) table = open_table(lines_of(*turned, name, count), name, options, table.before);
     std::optional<MapTable> map;
-    if (record.format != SurfaceFormat::profile) map.emplace(std::move(own), name, options, before);
+    if (record.format != SurfaceFormat::profile) map.emplace(std::move(table), name);
     if (record.format == SurfaceFormat::automatic)
         std::tie(record.format, record.format_from) = text_form(*map, name, options);
     check_options(record.format, options, name);
-    Reading found;
-    if (record.format != SurfaceFormat::profile) {
-        found = read_map(std::move(*map), record.format, options);
-    } else {
-        NumberTable table = map ? std::move(*map).reopened(profile_rules)
-                                : open_table(std::move(own), name, profile_rules, options, before);
-        found = read_profile(std::move(table), name, options);
-    }
+    Reading found = record.format != SurfaceFormat::profile
+                        ? read_map(std::move(*map), record.format, options)
+                        : read_profile(map ? std::move(*map).unread() : std::move(table), name, options);
     if (turned) found.record.note("rows", "of the file are read as columns");
     note_channels(found.record, chosen);
     return found;

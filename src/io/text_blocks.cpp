@@ -48,9 +48,8 @@ struct Stretch {
 /// Finds where the blocks of the lines begin.
 class BlockFinder {
 public:
-    BlockFinder(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options)
-        : name_(name), missing_(given_missing(options.missing, name)) {
-        table_ = open_table(std::move(lines), name, {.holds = "rows of numbers"}, options);
+    BlockFinder(NumberTable table, const std::string& name, const SurfaceOptions& options)
+        : name_(name), missing_(given_missing(options.missing, name)), table_(std::move(table)) {
         table_.lines.insert(table_.lines.end(), table_.footer.begin(), table_.footer.end());  // of the last block
     }
 
@@ -65,7 +64,13 @@ public:
         }
         return {};
     }
-    NumberTable& table() { return table_; }
+    const NumberTable& table() const& { return table_; }
+    /// The table as it was opened.
+    NumberTable table() && {
+        table_.lines.resize(table_.lines.size() - table_.footer.size());
+        return std::move(table_);
+    }
+    std::span<const Line> lines() const { return table_.lines; }
     /// What the header states.
     const std::vector<HeaderEntry>& entries() {
         if (entries_.empty()) entries_ = header_entries(table_);
@@ -105,17 +110,13 @@ private:
 
     /// What the lines from \p begin to \p end, of which none is a row, state about a block; none for remarks.
     std::optional<Kind> kind_of(std::size_t begin, std::size_t end) {
-        NumberTable run;
-        run.lines.assign(table_.lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                         table_.lines.begin() + static_cast<std::ptrdiff_t>(end));
-        run.first = run.lines.size();
-        run.dialect = table_.dialect;
+        const auto run = std::span(table_.lines).subspan(begin, end - begin);
         bool again = false;
-        for (const HeaderEntry& entry : header_entries(run)) {
+        for (const HeaderEntry& entry : header_entries(run, table_.dialect)) {
             if (is_size_key(entry.key) || is_height_unit_key(entry.key) || is_title_key(entry.key)) return stated;
             again = again || find_entry(entries(), entry.key) != nullptr;
         }
-        for (const Line& line : run.lines)
+        for (const Line& line : run)
             again = again || is_in_head(line.text) ||
                     !units_in(line.text, table_.columns, table_.dialect.separator).empty();
         return again ? std::optional(repeated) : std::nullopt;
@@ -145,15 +146,6 @@ private:
         return found;
     }
 
-    /// The first two numbers of the line \p i, NaN where there is none.
-    std::array<double, 2> position(std::size_t i) {
-        std::array<double, 2> at;
-        split_line(without_comment(table_.lines[i].text), table_.dialect.separator, cells_);
-        for (std::size_t c = 0; c < 2; ++c)
-            at[c] = (c < cells_.size() ? number_in(cells_[c], table_.dialect.decimal_comma) : std::nullopt)
-                        .value_or(std::numeric_limits<double>::quiet_NaN());
-        return at;
-    }
     std::size_t last_row(const Stretch& part) {
         std::size_t i = part.end - 1;
         while (i > part.row && !is_row(i)) --i;
@@ -213,8 +205,7 @@ private:
     /// Which of x and y is constant along the first scan line, where the first rows are triples.
     std::optional<std::size_t> slow_axis(const std::vector<Stretch>& parts) {
         const std::size_t row = parts[0].row;
-        const auto first = position(row), second = position(row + 1),
-                   third = position(row + (parts[0].rows > 2 ? 2 : 1));
+        const auto first = numbers(row), second = numbers(row + 1), third = numbers(row + (parts[0].rows > 2 ? 2 : 1));
         for (const std::size_t s : {std::size_t(0), std::size_t(1)}) {
             const double step = second[1 - s] - first[1 - s], next = third[1 - s] - second[1 - s];
             const bool even = parts[0].rows < 3 || std::abs(next - step) <= 0.6 * std::abs(step);
@@ -225,7 +216,7 @@ private:
 
     /// Whether the positions \p s of \p next lie after those of \p last, seen from the rows before.
     bool goes_on(const Stretch& last, const Stretch& next, std::size_t s, const Stretch& first) {
-        const double from = position(first.row)[s], end = position(last_row(last))[s], begin = position(next.row)[s];
+        const double from = numbers(first.row)[s], end = numbers(last_row(last))[s], begin = numbers(next.row)[s];
         const double way = end != from ? end - from : begin - from;
         return table_.columns == 2 ? (begin - end) * way > 0 : begin == end ? begin != from : (begin - end) * way > 0;
     }
@@ -257,9 +248,8 @@ std::string prose(const NumberTable& table, const std::vector<HeaderEntry>& entr
 }
 
 /// Finds what the header of \p block states.
-void describe(TextBlock& block, const std::string& name) {
-    const NumberTable table = open_table(block.lines, name, {.holds = "rows of numbers"});
-    block.columns = table.columns;
+void describe(TextBlock& block) {
+    const NumberTable& table = block.table;
     const std::vector<HeaderEntry> entries = header_entries(table);
     for (const HeaderEntry& entry : entries) {
         if (is_title_key(entry.key)) block.title = printable(entry.value, 80);
@@ -293,34 +283,32 @@ std::string called(const TextBlock& block, std::size_t number) {
 }  // namespace
 
 std::vector<TextBlock> blocks_of(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options) {
-    std::vector<TextBlock> blocks;
-    if (lines.empty()) refuse_file(name, {"holds blank lines only; must hold rows of numbers"});
-    BlockFinder finder(std::move(lines), name, options);
+    BlockFinder finder(open_table(std::move(lines), name, options), name, options);
     const std::vector<Stretch> parts = finder.parts();
-    NumberTable& table = finder.table();
-    if (parts.empty()) blocks.push_back({.lines = std::move(table.lines), .line = 1});
-    const auto at = [&](std::size_t i) { return table.lines.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::vector<TextBlock> blocks;
+    if (parts.empty()) {
+        blocks.push_back({.table = std::move(finder).table(), .line = 1});
+        return blocks;
+    }
+    const NumberTable& table = finder.table();
     for (const Stretch& part : parts) {
-        TextBlock block;
-        block.line = table.lines[part.begin].number;
-        NumberTable own;
-        own.dialect = table.dialect;
-        own.lines.assign(at(part.begin), at(part.row));
-        own.first = own.lines.size();
-        const auto entries = header_entries(own);
+        const auto all = finder.lines().subspan(part.begin, part.end - part.begin);
+        const auto entries = header_entries(all.first(part.row - part.begin), table.dialect);
         const bool sized =
             std::any_of(entries.begin(), entries.end(), [](const auto& entry) { return is_size_key(entry.key); });
-        if (part.begin > 0 && !sized) block.lines = inherited(table, finder.entries(), entries);
-        block.lines.insert(block.lines.end(), at(part.begin), at(part.end));
-        describe(block, name);
-        blocks.push_back(std::move(block));
+        std::vector<Line> own;
+        if (part.begin > 0 && !sized) own = inherited(table, finder.entries(), entries);
+        own.insert(own.end(), all.begin(), all.end());
+        const std::size_t line = all.front().number;
+        blocks.push_back({.table = open_table(std::move(own), name, options, line - 1), .line = line});
+        describe(blocks.back());
     }
     return blocks;
 }
 
 ChosenBlock chosen_block(std::vector<TextBlock> blocks, const std::string& name, const SurfaceOptions& options) {
     const std::string wanted(trimmed(options.channel));
-    if (blocks.size() == 1 && !wanted.empty()) describe(blocks[0], name);
+    if (blocks.size() == 1 && !wanted.empty()) describe(blocks[0]);
     std::string list;
     std::vector<std::size_t> lengths, unitless, found;
     for (std::size_t k = 0; k < blocks.size(); ++k) {

@@ -22,13 +22,12 @@ namespace fstiff::inline v0_1::io::detail {
 
 /// One table of numbers with its header.
 struct TextBlock {
-    std::vector<Line> lines;
+    NumberTable table;            // opened
     std::size_t line{};           // of the file, where it begins
-    std::size_t columns{};        // of its first row
     std::string title{}, unit{};  // printable; of the heights, as it is written; empty where none is stated
 };
 
-/// The blocks of \p lines, one at least.
+/// The blocks of \p lines, one at least. \throws domain_error where no line is a row of numbers.
 std::vector<TextBlock> blocks_of(std::vector<Line> lines, const std::string& name, const SurfaceOptions& options);
 
 /// The block to read, and what a record states of it.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/thousands.hpp"
 
+#include "io/cells.hpp"
+#include "io/lines.hpp"
+
 #include <cctype>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -85,77 +88,6 @@ std::string without_thousands(std::string text, const std::string& given, const 
         taken = begin + line.text.size();
     }
     return plain + text.substr(taken);
-}
-
-namespace {
-
-/// What the cells of a column show of its decimal sign.
-struct Signs {
-    std::size_t grouped{}, whole{};  // cells like 1,003 and like 986
-    bool decimal{};                  // other fractions are there
-    double largest_group{}, smallest_group{std::numeric_limits<double>::infinity()};
-    double largest_whole{}, sum_of_whole{};
-    std::string group_cell, whole_cell;
-    std::size_t group_line{}, whole_line{};
-
-    void add(std::string_view cell, double value, std::size_t line, std::string_view sign) {
-        if (is_grouped(cell, sign)) {
-            if (grouped++ == 0) group_cell = cell, group_line = line;
-            largest_group = (std::max)(largest_group, std::abs(value));
-            smallest_group = (std::min)(smallest_group, std::abs(value));
-        } else if (cell.find_first_not_of("+-0123456789") == std::string_view::npos) {
-            if (whole++ == 0) whole_cell = cell, whole_line = line;
-            largest_whole = (std::max)(largest_whole, std::abs(value));
-            sum_of_whole += std::abs(value);
-        } else {
-            decimal = true;
-        }
-    }
-    /// Whether the fractions may be thousands: next to them are whole numbers below them all. \p known: the sign is
-    /// decimal elsewhere in the file, or the point, which is decimal as a rule. Then whole numbers among few fractions,
-    /// and zeros, may be what they are, unless they are far above the fractions.
-    bool may_be_thousands(bool known) const {
-        if (decimal || grouped == 0 || whole == 0) return false;
-        // some languages separate thousands from 10 000 on only
-        if (!(largest_whole < 10000 && largest_whole < 1000 * smallest_group)) return false;
-        const bool may_lack_zeros = grouped < 50 || largest_whole == 0;
-        return !(known && may_lack_zeros && sum_of_whole <= 2 * largest_group * static_cast<double>(whole));
-    }
-};
-
-}  // namespace
-
-void refuse_thousands(const NumberTable& table, const std::vector<std::size_t>& columns, bool together,
-                      const std::string& name) {
-    const std::string_view sign = table.dialect.decimal_comma ? "," : ".";
-    if (!table.thousands.empty()) return;
-    std::vector<Signs> all(together ? 1 : columns.size());
-    std::vector<std::string_view> cells;
-    std::size_t r = 0;
-    for (std::size_t i = table.first; i < table.lines.size() && r < table.rows(); ++i) {
-        if (table.lines[i].number != table.row_lines[r]) continue;
-        ++r;
-        split_row(without_comment(table.lines[i].text), table.dialect.separator, cells);
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            Signs& signs = all[together ? 0 : k];
-            if (columns[k] >= cells.size() || signs.decimal) continue;
-            const std::string_view cell = cells[columns[k]];
-            const auto value = number_in(cell, table.dialect.decimal_comma);
-            if (value && !table.missing.has(*value)) signs.add(cell, *value, table.lines[i].number, sign);
-        }
-        if (std::all_of(all.begin(), all.end(), [](const Signs& one) { return one.decimal; })) return;
-    }
-    const bool known = sign == "." || std::any_of(all.begin(), all.end(), [](const Signs& one) { return one.decimal; });
-    for (const Signs& signs : all)
-        if (signs.may_be_thousands(known))
-            refuse_line(name, signs.group_line,
-                        {shown_cell(signs.group_cell),
-                         " may be a whole number with a separator of thousands, because "
-                         "every fraction has three digits and ",
-                         shown_cell(signs.whole_cell), " in line ", signs.whole_line, " has none; must be ",
-                         given_as(table.names, "thousands", "\"" + std::string(sign) + "\""),
-                         ", or, if it is decimal, by ", table.names.prefix, "thousands", table.names.equals,
-                         table.names.prefix.empty() ? "\"none\"" : "none"});
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

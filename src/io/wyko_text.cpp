@@ -175,11 +175,11 @@ Reading read_wyko_text(std::vector<detail::Line> lines, const std::string& name,
                            "be given"});
     std::vector<TextBlock> files;  // exports one after the other
     for (const Line& line : lines) {
-        if (is_wyko_text(line.text)) files.push_back({.lines = {}, .line = line.number, .unit = "nm"});
-        files.back().lines.push_back(line);
+        if (is_wyko_text(line.text)) files.push_back({.table = {}, .line = line.number, .unit = "nm"});
+        files.back().table.lines.push_back(line);
     }
     const ChosenBlock chosen = chosen_block(std::move(files), name, options);
-    Reading found = WykoTextReader(chosen.block.lines, name).read();
+    Reading found = WykoTextReader(chosen.block.table.lines, name).read();
     note_channels(found.record, chosen);
     return found;
 }

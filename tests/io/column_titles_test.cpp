@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns that number the points, by eye; and texts with such a column, which must be the same as without.
 #include "io/column_titles.hpp"
+#include "io/row_layout.hpp"
 #include "support/texts.hpp"
 
 namespace column_titles_test {
@@ -13,8 +14,8 @@ using io::SurfaceOptions;
 namespace {
 
 std::vector<bool> index_of(const std::string& text) {
-    NumberTable table = open_table(text, "file", {.holds = "numbers"});
-    read_rows(table, "file", {.holds = "numbers"});
+    NumberTable table = open_table(text, "file");
+    read_rows(table, "file");
     return index_columns(table);
 }
 /// Rows that are numbered from \p first, with decimal commas.

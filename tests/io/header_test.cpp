@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contents of headers, read by eye.
 #include "io/header.hpp"
+#include "io/row_layout.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -12,7 +13,7 @@ using namespace fstiff::io::detail;
 
 namespace {
 
-NumberTable table_of(std::string_view text) { return open_table(text, "file", {.holds = "numbers"}); }
+NumberTable table_of(std::string_view text) { return open_table(text, "file"); }
 
 }  // namespace
 

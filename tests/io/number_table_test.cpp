@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of numbers, for both kinds of rules. The tables are read by eye.
-#include "io/number_table.hpp"
+// Rows of numbers, with whole rows and with short ones. The tables are read by eye.
+#include "io/row_layout.hpp"
 
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
@@ -11,14 +11,14 @@ using namespace fstiff::io::detail;
 
 namespace {
 
-NumberTable table_of(std::string_view text, const TableRules& rules) {
-    NumberTable table = open_table(text, "file", rules);
-    read_rows(table, "file", rules);
+NumberTable table_of(std::string_view text, RowEnds ends) {
+    NumberTable table = open_table(text, "file");
+    if (ends == RowEnds::may_be_short) take_rows_above(table);
+    read_rows(table, "file", ends);
     return table;
 }
 
-constexpr TableRules padded{.holds = "numbers", .short_rows = true};
-constexpr TableRules whole{.holds = "numbers"};
+constexpr RowEnds padded = RowEnds::may_be_short, whole = RowEnds::whole;
 
 }  // namespace
 
@@ -59,8 +59,8 @@ TEST_CASE("words are missing points", "[number_table]") {
 }
 
 TEST_CASE("a first row with both decimal signs is refused once the others have one", "[number_table]") {
-    for (const TableRules& rules : {padded, whole})
-        CHECK(test::refusal([&] { (void)table_of("0.5;1,5\n1,5;2,5\n", rules); }).find("file, line 1: \"1,5\"") == 0);
+    for (const RowEnds ends : {padded, whole})
+        CHECK(test::refusal([&] { (void)table_of("0.5;1,5\n1,5;2,5\n", ends); }).find("file, line 1: \"1,5\"") == 0);
 }
 
 TEST_CASE("Words next to rows are no header where the rows have nothing", "[number_table]") {

@@ -2,6 +2,8 @@
 // Grids that are made here, with points left out and positions rounded, must be found again.
 #include "io/regular_grid.hpp"
 
+#include "io/row_layout.hpp"
+
 #include "support/accuracy.hpp"
 #include "support/catch.hpp"
 
@@ -23,9 +25,8 @@ TEST_CASE("an axis is found through missing lines and rounded positions", "[regu
 }
 
 TEST_CASE("heights go to their points, and no point is listed twice", "[regular_grid]") {
-    const TableRules rules{.holds = "numbers"};
-    NumberTable table = open_table("1 0 5\n0 0 4\n0 2 6\n", "file", rules);
-    read_rows(table, "file", rules);
+    NumberTable table = open_table("1 0 5\n0 0 4\n0 2 6\n", "file");
+    read_rows(table, "file");
     const auto grid = grid_of(table);
     REQUIRE(grid);
     const auto heights = heights_on(*grid, table, "file");
@@ -34,8 +35,8 @@ TEST_CASE("heights go to their points, and no point is listed twice", "[regular_
     CHECK(heights[1] == 5);
     CHECK(heights[2] == 6);
     CHECK(std::isnan(heights[3]));
-    NumberTable twice = open_table("0 0 1\n1 0 2\n0 1 3\n1 0 4\n", "file", rules);
-    read_rows(twice, "file", rules);
+    NumberTable twice = open_table("0 0 1\n1 0 2\n0 1 3\n1 0 4\n", "file");
+    read_rows(twice, "file");
     CHECK(test::refusal([&] { (void)heights_on(*grid_of(twice), twice, "file"); }) ==
           "file, line 4: repeats the point of line 2, x = 1, y = 0; every point must come once");
 }

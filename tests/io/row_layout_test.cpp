@@ -165,6 +165,10 @@ TEST_CASE(
     check_rows({"form, refused without a size", "# Form: matrix\n" + heights, refused("dx"), {.units = "um"}});
     // positions and heights of a profile
     check({{"neither", heights, {.dx = 1e-6, .size = 64}, {.units = "um"}},
+           {"a step of either",
+            "# Pixel size: 1 um\n" + heights,
+            refused("may be a profile or a matrix"),
+            {.units = "um"}},
            {"profile by the options",
             size + heights,
             {.dx = 1e-6, .size = 64},
