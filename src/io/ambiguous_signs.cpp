@@ -68,12 +68,6 @@ void refuse_blank_groups(const NumberTable& table, const std::string& name, cons
     if (std::all_of(cells.begin(), cells.end(), is_cell)) refuse_sign(table, name, line.number, cells.front(), true);
 }
 
-std::string without_points(const NumberTable& table) {
-    for (std::size_t i = table.first; i < table.lines.size(); ++i)
-        if (!is_comment(table.lines[i].text) && table.lines[i].text.find('.') != std::string_view::npos) return "";
-    return " (a comma cannot be the decimal sign and separate the columns)";
-}
-
 namespace {
 
 /// Whether every second comma alone is followed by a blank, as in "0,5, 9,8".
@@ -84,10 +78,44 @@ bool has_alternate_blanks(std::string_view line) {
     return commas > 2;
 }
 
+/// Whether the line above the rows has two titles or more between commas, one of them with a unit, and the rows have
+/// more cells; those of R may, whose first is a name in quotes.
+bool has_fewer_titles(const NumberTable& table) {
+    if (table.first == 0 || table.lines[table.first].text.find('"') != std::string_view::npos) return false;
+    std::vector<std::string_view> cells;
+    split_row(without_comment_sign(table.lines[table.first - 1].text, ','), ',', cells);
+    return cells.size() > 1 && cells.size() < table.columns &&
+           std::any_of(cells.begin(), cells.end(), [](auto cell) { return !title_unit(cell).empty(); });
+}
+
+/// Whether a number of a row has a point.
+bool has_points(const NumberTable& table) {
+    std::vector<std::string_view> cells;
+    return std::any_of(
+        table.lines.begin() + static_cast<std::ptrdiff_t>(table.first), table.lines.end(), [&](const Line& line) {
+            if (is_comment(line.text)) return false;
+            split_row(without_comment(line.text), table.dialect.separator, cells);
+            return std::any_of(cells.begin(), cells.end(),
+                               [](std::string_view cell) { return cell.find('.') < cell.size() && is_number(cell); });
+        });
+}
+
 }  // namespace
 
+std::string without_points(const NumberTable& table) {
+    return has_points(table) ? "" : " (a comma cannot be the decimal sign and separate the columns)";
+}
+
 void refuse_double_comma(const NumberTable& table, const std::string& name) {
-    if (table.dialect.separator != ',' || table.columns < 4 || table.columns % 2 != 0) return;
+    if (table.dialect.separator != ',') return;
+    const auto refuse = [&] {
+        refuse_line(name, table.lines[table.first].number,
+                    {shown_cell(table.lines[table.first].text),
+                     " has commas between its columns and in its numbers; must have another separator, or points for "
+                     "its decimal signs"});
+    };
+    if (has_fewer_titles(table) && !has_points(table)) refuse();
+    if (table.columns < 4 || table.columns % 2 != 0) return;
     std::vector<std::string_view> cells;
     bool zero_before = false, alternate = true;
     std::vector<double> first;  // of the first two cells as one number
@@ -108,11 +136,7 @@ void refuse_double_comma(const NumberTable& table, const std::string& name) {
     bool even = step != 0;
     for (std::size_t r = 0; r < first.size(); ++r)
         even = even && std::abs(first[r] - first.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step);
-    if (zero_before || even || alternate)
-        refuse_line(name, table.lines[table.first].number,
-                    {shown_cell(table.lines[table.first].text),
-                     " has commas between its columns and in its numbers; must have another separator, or points for "
-                     "its decimal signs"});
+    if (zero_before || even || alternate) refuse();
 }
 
 namespace {
@@ -158,27 +182,30 @@ void refuse_thousands(const NumberTable& table, const std::vector<std::size_t>& 
 
 void settle_lone_commas(NumberTable& table) {
     const std::vector<Line>& lines = table.lines;
-    if (table.dialect.separator != ',') return;
+    if (table.dialect.separator != ',' || !table.words.empty()) return;
     // titles that the comma separates, each with its unit, settle it
     if (table.first > 0 && !units_in(lines[table.first - 1].text, 2, ',').empty()) return;
     std::optional<double> before, step;
     bool positions = true, decimals = true, groups = true;
     for (std::size_t i = table.first; i < lines.size(); ++i) {
         if (is_comment(lines[i].text)) continue;
-        const std::string_view line = without_comment(lines[i].text);
-        if (line.find_first_of(".eE \t\"") != std::string_view::npos) return;
-        const LeadingNumber number = leading_number(line);
-        if (number.status != NumberStatus::ok) return;
-        const std::string_view after = line.substr(number.length);
-        decimals = decimals && (after.empty() || (after.size() > 1 && is_digit(after[1]) && after.rfind(',') == 0));
-        groups = groups && (after.empty() || is_grouped(line, ","));
+        const std::string_view line = trimmed(without_comment(lines[i].text));
+        if (is_missing_word(line) || table.missing.has_word(line)) {
+            positions = false;
+            continue;
+        }
+        if (line.find_first_of(". \t\"") != std::string_view::npos || line.ends_with(',')) return;
+        decimals = decimals && number_in(line, true);
+        groups = groups && (line.find(',') == std::string_view::npos || is_grouped(line, ","));
         if (!decimals && !groups) return;
-        if (before) {
-            const double next = number.value - *before;
+        const auto position = number_in(line.substr(0, line.find(',')), false);
+        if (before && position) {
+            const double next = *position - *before;
             positions = positions && next != 0 && (!step || next == *step);
             step = next;
         }
-        before = number.value;
+        positions = positions && position;
+        before = position;
     }
     if (positions) return;
     table.dialect = {' ', true};

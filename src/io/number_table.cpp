@@ -181,9 +181,9 @@ void read_rows(NumberTable& table, const std::string& name, RowEnds ends) {
         table.row_lines.push_back(line);
         table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());
     }
+    if (!may_be_short && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
     refuse_double_comma(table, name);
     refuse_split_thousands(table, name);
-    if (!may_be_short && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
 }
 
 }  // namespace detail

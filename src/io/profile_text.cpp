@@ -32,6 +32,7 @@ public:
 
     Reading read() {
         take_rows_above(table_);
+        table_.missing = given_missing(options_.missing, name_);
         settle_lone_commas(table_);
         entries_ = header_entries(table_, true);
         table_.missing = stated_missing(entries_, options_.missing, name_);

@@ -177,8 +177,36 @@ void refuse_units_in_cells(const NumberTable& table, const std::string& name) {
         }
 }
 
+/// Whether the line above \p rows has a title for each column.
+bool has_titles(const std::vector<Line>& lines, const WordRows& rows) {
+    if (rows.first == 0) return false;
+    std::vector<std::string_view> titles;
+    split_titles(without_comment_sign(lines[rows.first - 1].text, rows.separator), rows.separator, titles);
+    return titles.size() == rows.words.size();
+}
+
+/// Of "P0 4805,3" the comma may separate columns, as in \p rows, or be decimal, where no number has a point: the
+/// titles settle it. \throws domain_error where they do not.
+WordRows settled_comma(const std::vector<Line>& lines, const WordRows& rows, const std::string& name) {
+    std::vector<std::string_view> cells;
+    for (std::size_t i = rows.first; i < lines.size(); ++i) {
+        split_row(without_comment(lines[i].text), rows.separator, cells);
+        const auto has_point = [](std::string_view cell) { return cell.find('.') < cell.size() && is_number(cell); };
+        if (std::any_of(cells.begin(), cells.end(), has_point)) return rows;
+    }
+    auto decimal = rows_between(lines, ' ');
+    if (!decimal || decimal->rows < rows.rows) return rows;
+    const bool separates = has_titles(lines, rows), is_decimal = has_titles(lines, *decimal);
+    if (separates == is_decimal)
+        refuse_line(name, lines[rows.first].number,
+                    {shown_cell(lines[rows.first].text),
+                     " may have its comma between two columns or in a number; must have a title above each column, "
+                     "another separator, or points for its decimal signs"});
+    return separates ? rows : *decimal;
+}
+
 /// Finds the columns of words, where the lines are no rows of numbers alone, and the first row.
-void find_words(NumberTable& table) {
+void find_words(NumberTable& table, const std::string& name) {
     const auto [plain, interrupted] = plain_rows(table);
     if (plain > 0 && !interrupted) return;
     std::optional<WordRows> best;
@@ -195,6 +223,7 @@ void find_words(NumberTable& table) {
         if (rows && (!best || rows->numbers() > best->numbers())) best = std::move(rows);
     }
     if (!best || best->rows <= plain) return;
+    if (best->separator == ',') best = settled_comma(table.lines, *best, name);
     table.first = best->first;
     table.words = best->words;
     table.dialect = {best->separator, false};
@@ -315,7 +344,7 @@ NumberTable open_table(std::vector<Line> lines, const std::string& name, const S
     table.thousands = options.thousands;
     table.first = row_from(zygo_header(table.lines), table, name);
     skip_count(table, name);
-    find_words(table);
+    find_words(table, name);
     if (table.first == table.lines.size()) {
         refuse_units_in_cells(table, name);
         refuse_line(
@@ -355,10 +384,24 @@ void drop_frame(std::vector<Line>& lines) {
         return line.text.size() > 2 && line.text.front() == '|' && line.text.back() == '|';
     };
     if (2 * std::count_if(lines.begin(), lines.end(), is_framed) < static_cast<std::ptrdiff_t>(lines.size())) return;
-    std::erase_if(lines, [](const Line& line) {
-        return (line.text.front() == '|' || line.text.front() == '+') &&
-               line.text.find_first_not_of("|+-=: ") == std::string_view::npos;
-    });
+    const auto is_rule = [](std::string_view text) {
+        return (text.front() == '|' || text.front() == '+') && text.find_first_not_of("|+-=: ") == text.npos;
+    };
+    const auto is_row = [&](const Line& line) { return is_framed(line) && is_plain(line.text); };
+    // between two rows of numbers, "| --- |" is a missing point
+    std::vector<Line> kept, rules;
+    for (const Line& line : lines) {
+        if (is_rule(line.text)) {
+            rules.push_back(line);
+            continue;
+        }
+        const bool missing = !kept.empty() && is_row(kept.back()) && is_row(line);
+        for (const Line& rule : rules)
+            if (missing && rule.text.front() == '|') kept.push_back(rule);
+        rules.clear();
+        kept.push_back(line);
+    }
+    lines = std::move(kept);
     for (Line& line : lines)
         if (is_framed(line)) line.text = trimmed(line.text.substr(1, line.text.size() - 2));
 }

@@ -402,6 +402,30 @@ TEST_CASE("Points and commas that may be decimal or separate something else are 
     });
 }
 
+TEST_CASE("A comma alone in the rows of one column is decimal, with exponents, gaps and without zeros", "[decimal]") {
+    const SurfaceOptions spaced{.units = "um", .spacing = 0.5e-6},
+        over{.units = "um", .spacing = 0.5e-6, .missing = "over"};
+    const Decision one{.dx = 0.5e-6, .unit = 1e-6};
+    const auto commas = [](const std::string& pattern, const Cell& z = height_text) {
+        return with_commas(rows(pattern + "\n", 20, z));
+    };
+    const auto with_gap = [&](const std::string& word) {
+        const std::string text = commas("{z}"), cell = with_commas(height_text(7)) + "\n";
+        return replaced(text, cell, word + "\n");
+    };
+    const auto bare = [](int i) { return all_replaced(height_text(i), "0.", "."); };
+    Decision gap = one;
+    gap.missing = {7};
+    check({
+        {"exponents", commas("{z}E+00"), one, spaced},
+        {"exponents of Fortran", commas("{z}D+00"), one, spaced},
+        {"no zero before the comma", commas("{z}", bare), one, spaced},
+        {"NA", with_gap("NA"), gap, spaced},
+        {"---", with_gap("---"), gap, spaced},
+        {"a word of the options", with_gap("over"), gap, over},
+    });
+}
+
 TEST_CASE("Lines above rows are a header, also those with numbers", "[header]") {
     const SurfaceOptions given{.units = "nm", .spacing = 0.1e-6}, third{.units = "nm", .spacing = 0.5e-6, .column = 3};
     for (const std::string head : {"# Punktabstand: 0,5 um\n# Einheit: nm\n", "Pitch,0.5,um\nUnit,nm\n",

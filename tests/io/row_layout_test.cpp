@@ -182,6 +182,29 @@ TEST_CASE("Tables between bars are read") {
         {"a frame", "+----+----+\n| x [um] | z [um] |\n+====+====+\n" + rows("| {x} | {z} |\n") + "+----+----+\n",
          um()},
         {"decimal commas", with_commas("x [um] | z [um]\n" + rows("{x} | {z}\n")), um()},
+        {"missing points of one column",
+         "| z [um] |\n|---|\n" + with_word("| {z} |\n", "| {z} |", "|---|"),
+         {.dx = 0.5e-6, .unit = 1e-6, .missing = {7}},
+         {.spacing = 0.5e-6}},
+    });
+}
+
+TEST_CASE("Next to words, a comma is decimal or separates columns as the titles have it") {
+    const auto z = with_commas(rows("P{i} {z}\n")), last = with_commas(rows("{z} ok\n"));
+    const SurfaceOptions spaced{.spacing = 0.5e-6}, in_um{.units = "um", .spacing = 0.5e-6};
+    const Decision one{.dx = 0.5e-6, .unit = 1e-6};
+    const std::string sentence = "may have its comma between two columns or in a number";
+    check({
+        {"decimal", "name z[um]\n" + z, one, spaced},
+        {"decimal, words last", "z [um] status\n" + last, one, spaced},
+        {"columns",
+         "name,z [um]\n" + rows("Sample {i},{i}\n", 20, [](int i) { return std::to_string(i); }),
+         {.dx = 0.5e-6, .unit = 0},
+         spaced},
+        {"no title for each", "z [um]\n" + z, refused(sentence), spaced},
+        {"no title", z, refused(sentence), in_um},
+        {"both", "name,z [um]\n" + with_commas(rows("P{i},{z}\n")), refused("has commas between its columns and in"),
+         spaced},
     });
 }
 
