@@ -62,9 +62,11 @@ inline constexpr std::array<std::string_view, 4> pitch_words{
     "xy\xEC\xBA\x98\xEB\xA6\xAC\xEB\xB8\x8C\xEB\xA0\x88\xEC\x9D\xB4\xEC\x85\x98"};
 inline constexpr std::array<std::string_view, 3> columns_words{"horizontal", "horizont.", "\xEA\xB0\x80\xEB\xA1\x9C"};
 // of a profile: Hommel's "Punktabstand", Mitutoyo's "Pitch" and their like
-inline constexpr std::array<std::string_view, 22> spacing_words{"resolution",
+inline constexpr std::array<std::string_view, 24> spacing_words{"resolution",
                                                                 "spacing",
                                                                 "step",
+                                                                "step size",
+                                                                "x step size",
                                                                 "sampling interval",
                                                                 "sampling step",
                                                                 "sampling distance",

@@ -22,12 +22,25 @@ bool has_unit(std::string_view cell) {
            is_unit(cell.substr(last + 1), Dimension::length);
 }
 
+/// Whether \p cell is a number with its unit next to it, "0.5mm".
+bool has_glued_unit(std::string_view cell) {
+    const std::size_t end = cell.find_first_not_of("0123456789+-.,eE");
+    return end < cell.size() && is_number(cell.substr(0, end)) && is_unit(cell.substr(end), Dimension::length);
+}
+
+/// Whether \p cell is a time of the day, "10:00:01,5".
+bool is_clock(std::string_view cell) {
+    const std::size_t colon = cell.find(':');
+    return colon > 0 && colon < 3 && cell.find_first_not_of("0123456789:.,") == cell.npos;
+}
+
 /// Whether \p cell begins a line of a Wavefront object: a vertex or a face.
 bool is_of_mesh(std::string_view cell) { return cell == "v" || cell == "vn" || cell == "vt" || cell == "f"; }
 
 /// Whether a cell that is no number may be one all the same, of another separator, with a sign between its thousands or
 /// with its unit.
 bool may_be_number(std::string_view cell) {
+    if (is_clock(cell)) return false;
     for (std::size_t i = cell.find_first_of(",;|"); i != cell.npos; i = cell.find_first_of(",;|", i + 1))
         if (begins_with_number(cell.substr(i + 1))) return true;  // "um,-0.2748"
     if (!begins_with_number(cell)) return false;
@@ -170,7 +183,9 @@ void refuse_units_in_cells(const NumberTable& table, const std::string& name) {
     for (const Line& line : table.lines)
         for (const char separator : {';', '\t', '|', ','}) {
             split_row(line.text, separator, cells);
-            if (cells.size() < 2 || !std::all_of(cells.begin(), cells.end(), has_unit)) continue;
+            const bool all = std::all_of(cells.begin(), cells.end(),
+                                         [](std::string_view cell) { return has_unit(cell) || has_glued_unit(cell); });
+            if (cells.size() < 2 || !all) continue;
             refuse_line(
                 name, line.number,
                 {shown_cell(cells[0]), " has its unit in the cell; must be a number, with the unit above the column"});
@@ -196,6 +211,8 @@ WordRows settled_comma(const std::vector<Line>& lines, const WordRows& rows, con
     }
     auto decimal = rows_between(lines, ' ');
     if (!decimal || decimal->rows < rows.rows) return rows;
+    split_row(lines[rows.first].text, ' ', cells);
+    if (std::any_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.ends_with(','); })) return rows;
     const bool separates = has_titles(lines, rows), is_decimal = has_titles(lines, *decimal);
     if (separates == is_decimal)
         refuse_line(name, lines[rows.first].number,
@@ -246,14 +263,16 @@ void drop_footer(NumberTable& table) {
         const std::string_view line = table.lines[i].text;
         if (is_comment(line)) continue;
         split_row(without_comment(line), table.dialect.separator, cells);
-        const bool result = !table.words.empty() && std::any_of(cells.begin(), cells.end(), is_result_word);
+        const bool result = !table.words.empty() && (std::any_of(cells.begin(), cells.end(), is_result_word) ||
+                                                     (cells[0].ends_with(':') && !first[0].ends_with(':')));
         if (!result && is_row()) {
             if (++below > few) break;
             continue;
         }
         const auto filled = std::find_if(cells.begin(), cells.end(), [](auto cell) { return !cell.empty(); });
         const bool lone = cells.size() == 1 && first.size() > 1 && !is_number(cells[0]);  // "240 points"
-        if (filled == cells.end() || (begins_with_number(*filled) && !lone)) return;
+        const bool remark = lone || (line.starts_with('(') && line.ends_with(')'));       // "(240 rows)"
+        if (filled == cells.end() || (begins_with_number(*filled) && !remark)) return;
         const bool apart = i > table.first && table.lines[i].number > table.lines[i - 1].number + 1;
         if (below == 0 || apart) end = i, below = 0;
     }
