@@ -86,8 +86,8 @@ private:
         const std::size_t sign = line[0] == '-' || line[0] == '+' || line[0] == '.' ? 1 : 0;
         if (line.size() > sign && is_digit(line[sign])) return true;
         if (is_comment(line)) return false;
-        split_line(line, table_.dialect.separator, cells_);
-        if (!table_.words.empty()) return cells_.size() > 1 && is_row_of(table_, cells_);
+        split_row(line, table_.dialect.separator, cells_);
+        if (!table_.words.empty()) return cells_.size() == table_.words.size() && is_row_of(table_, cells_);
         const std::string_view cell = cells_.empty() ? std::string_view() : cells_.front();
         return cell.empty() || is_missing_word(cell) || missing_.has_word(cell) ||
                number_in(cell, table_.dialect.decimal_comma) || number_in(cell, false);
