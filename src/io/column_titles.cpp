@@ -23,52 +23,28 @@ bool is_factor(std::string_view text) {
 
 /// What a title states of a unit.
 struct TitleParts {
-    std::vector<std::string_view> inside;  // the brackets, those of length first
-    std::size_t lengths{};                 // of them
-    bool contradicts{}, scaled{};          // two units; a factor next to the unit
-    std::string_view from_bracket;         // the title from the first bracket on
+    std::vector<std::string_view> lengths, others;  // in brackets
+    bool contradicts{}, scaled{};                   // two units; a factor next to the unit
+    std::string_view from_bracket;                  // the title from the first bracket on
 };
 
 TitleParts parts_of(std::string_view title) {
     TitleParts parts;
-    std::string_view outside = title;
-    for (std::string_view rest = title; !rest.empty();) {
-        const std::size_t begin = rest.find_first_of("[({<");
-        if (begin == std::string_view::npos) break;
-        const std::size_t end = rest.find(rest[begin] == '['   ? ']'
-                                          : rest[begin] == '(' ? ')'
-                                          : rest[begin] == '{' ? '}'
-                                                               : '>',
-                                          begin);
-        if (end == std::string_view::npos) break;
-        const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
-        if (parts.from_bracket.empty()) parts.from_bracket = trimmed(rest.substr(begin));
-        // "(0.1 mm)" may be a length: a number belongs to a unit in square brackets, or after a sign of multiplication
-        const bool bare_number = !inside.empty() && rest[begin] != '[' && (is_digit(inside[0]) || inside[0] == '.') &&
-                                 inside.find('^') == std::string_view::npos;
-        if (is_length(inside) && !bare_number)
-            parts.inside.insert(parts.inside.begin() + static_cast<std::ptrdiff_t>(parts.lengths++), inside);
-        else if (!inside.empty())
-            parts.inside.push_back(inside);
-        rest.remove_prefix(end + 1);
-        outside = rest;
-    }
-    for (std::size_t i = 0; i < parts.inside.size(); ++i)
-        if (i >= parts.lengths)
-            parts.scaled = parts.scaled || is_factor(parts.inside[i]);
-        else if (unit_factor(parts.inside[i], Dimension::length) != unit_factor(parts.inside[0], Dimension::length))
-            parts.contradicts = true;
-    parts.scaled = parts.lengths > 0 && (parts.scaled || is_factor(outside));
+    const std::vector<Bracket> brackets = brackets_in(title);
+    for (const Bracket& bracket : brackets)
+        if (!bracket.inside.empty()) (bracket.states_unit() ? parts.lengths : parts.others).push_back(bracket.inside);
+    if (!brackets.empty()) parts.from_bracket = trimmed(title.substr(brackets.front().begin));
+    if (parts.lengths.empty()) return parts;
+    const auto factor = [](std::string_view unit) { return unit_factor(unit, Dimension::length); };
+    for (const std::string_view unit : parts.lengths)
+        parts.contradicts = parts.contradicts || factor(unit) != factor(parts.lengths[0]);
+    parts.scaled = is_factor(title.substr(brackets.back().end)) ||
+                   std::any_of(parts.others.begin(), parts.others.end(), is_factor);
     return parts;
 }
 
-}  // namespace
-
-std::string_view title_unit(std::string_view title) {
-    title = unquoted(title);
-    const TitleParts parts = parts_of(title);
-    if (std::any_of(parts.inside.begin(), parts.inside.end(), measures_no_length)) return {};  // "force (N/m)"
-    if (parts.lengths > 0) return parts.contradicts || parts.scaled ? std::string_view() : parts.inside[0];
+/// The last word of \p title where it is a unit, as in "height in um".
+std::string_view last_unit(std::string_view title) {
     const std::size_t last = title.find_last_of(" \t/_:=");
     const std::string_view word = last == std::string_view::npos ? title : title.substr(last + 1);
     if (!is_length(word) || std::any_of(word.begin(), word.end(), is_digit)) return {};
@@ -82,14 +58,59 @@ std::string_view title_unit(std::string_view title) {
     return word;
 }
 
+/// What is in place of the unit of \p title but is not understood.
 std::string_view unread_unit(std::string_view title) {
-    title = unquoted(title);
     const TitleParts parts = parts_of(title);
     if (parts.contradicts || parts.scaled) return parts.from_bracket;
-    if (parts.lengths > 0 || !title_unit(title).empty()) return {};
-    for (const std::string_view inside : parts.inside)
+    if (!parts.lengths.empty() || !title_unit(title).empty()) return {};
+    for (const std::string_view inside : parts.others)
         if (std::any_of(inside.begin(), inside.end(), [](char c) { return c != '-' && c != ' '; })) return inside;
     return {};
+}
+
+/// Whether \p line is a key and a number, as "Pitch [um]: 0.5" is, and no title of one column.
+bool is_key_and_number(std::string_view line) {
+    const std::size_t sign = line.find_first_of(",;\t:=");
+    return sign != std::string_view::npos &&
+           leading_number(trimmed(line.substr(sign + 1))).status != NumberStatus::no_number;
+}
+
+/// Whether \p line is a key and a unit, or a number with one, as "x-unit: mm" and "Stylus radius = 2 um" are.
+bool is_key_and_unit(std::string_view line) {
+    const std::size_t sign = line.find_first_of(":=");
+    if (sign == std::string_view::npos) return false;
+    const std::string_view value = trimmed(line.substr(sign + 1));
+    const LeadingNumber number = leading_number(value);
+    const bool is_number = number.status == NumberStatus::ok;
+    const std::string_view unit = is_number ? trimmed(value.substr(number.length)) : value;
+    return unit.empty() ? is_number : is_length(unit) || measures_no_length(unit);
+}
+
+}  // namespace
+
+std::vector<Bracket> brackets_in(std::string_view text) {
+    constexpr std::string_view opening = "[({<", closing = "])}>";
+    std::vector<Bracket> brackets;
+    for (std::size_t begin = 0; (begin = text.find_first_of(opening, begin)) != std::string_view::npos;) {
+        const std::size_t end = text.find(closing[opening.find(text[begin])], begin);
+        if (end == std::string_view::npos) break;
+        brackets.push_back({text[begin], trimmed(text.substr(begin + 1, end - begin - 1)), begin, end + 1});
+        begin = end + 1;
+    }
+    return brackets;
+}
+
+bool Bracket::states_unit() const {
+    const bool number = !inside.empty() && (is_digit(inside[0]) || inside[0] == '.');
+    return is_length(inside) && (!number || sign == '[' || inside.find('^') != std::string_view::npos);
+}
+
+std::string_view title_unit(std::string_view title) {
+    title = unquoted(title);
+    const TitleParts parts = parts_of(title);
+    if (std::any_of(parts.others.begin(), parts.others.end(), measures_no_length)) return {};  // "force (N/m)"
+    if (parts.lengths.empty()) return last_unit(title);
+    return parts.contradicts || parts.scaled ? std::string_view() : parts.lengths[0];
 }
 
 std::string_view without_comment_sign(std::string_view line, char separator) {
@@ -99,12 +120,6 @@ std::string_view without_comment_sign(std::string_view line, char separator) {
         line.remove_prefix(1);
     if (signed_line && line.starts_with(separator) && separator != ' ') line.remove_prefix(1);  // "#;x [um];z [nm]"
     return line;
-}
-
-bool is_key_and_number(std::string_view line) {
-    const std::size_t sign = line.find_first_of(",;\t:=");
-    return sign != std::string_view::npos &&
-           leading_number(trimmed(line.substr(sign + 1))).status != NumberStatus::no_number;
 }
 
 std::vector<std::string_view> units_in(std::string_view line, std::size_t columns, char separator,
@@ -130,23 +145,16 @@ std::vector<std::string_view> units_in(std::string_view line, std::size_t column
     for (const char candidate : {separator, ';', '\t', ',', ' '})
         if ((candidate == separator || line.find(candidate) < line.size()) && in_cells(candidate)) return found;
     if (columns == 1 || parts_of(line).scaled) return {};
-    // "x [um] z [nm]": as many bracketed found as columns, in their order
-    found.clear();
-    for (std::string_view rest = line; !rest.empty();) {
-        const std::size_t begin = rest.find_first_of("[(");
-        if (begin == std::string_view::npos) break;
-        const std::size_t end = rest.find(rest[begin] == '[' ? ']' : ')', begin);
-        if (end == std::string_view::npos) break;
-        const auto inside = trimmed(rest.substr(begin + 1, end - begin - 1));
-        if (is_unit(inside, Dimension::length) && (rest[begin] == '[' || !is_digit(inside[0]))) found.push_back(inside);
-        rest.remove_prefix(end + 1);
-    }
+    found.clear();  // "x [um] z [nm]": as many in brackets as columns, in their order
+    for (const Bracket& bracket : brackets_in(line))
+        if (bracket.states_unit()) found.push_back(bracket.inside);
     if (found.size() == columns) return found;
     if (free.empty() || found.size() != needed) return {};
     for (std::size_t c = 0; c < columns; ++c)
         if (is_free(c)) found.insert(found.begin() + static_cast<std::ptrdiff_t>(c), std::string_view());
     return found;
 }
+
 std::vector<std::string_view> given_units(const std::string& text, std::size_t most, const std::string& name,
                                           std::string_view allowed) {
     std::vector<std::string_view> given;
@@ -169,10 +177,8 @@ namespace {
 /// The unit of \p title that is of no length, in brackets or as its last word, where it has none of length.
 std::string_view other_unit(std::string_view title) {
     if (!title_unit(title).empty()) return {};
-    const std::size_t end = title.find_last_of("])}"), begin = title.substr(0, end).find_last_of("[({");
-    if (end != std::string_view::npos && begin != std::string_view::npos)
-        if (const auto inside = trimmed(title.substr(begin + 1, end - begin - 1)); measures_no_length(inside))
-            return inside;
+    if (const auto brackets = brackets_in(title); !brackets.empty() && measures_no_length(brackets.back().inside))
+        return brackets.back().inside;
     for (const char* sign : {" \t_:=", "/"}) {
         const std::size_t last = title.find_last_of(sign);
         const std::string_view word = title.substr(last + 1);  // the whole title where there is no sign
@@ -190,7 +196,7 @@ ColumnTitle title_of(std::string_view cell) {
     std::string name = lower_case(trimmed(cell.substr(0, (std::min)(cell.find_first_of("[({<"), cell.size()))));
     while (name.size() > 1 && (name.back() == '.' || name.back() == ':' || name.back() == ' ')) name.pop_back();
     while (name.size() > 1 && (name.front() == '#' || name.front() == ' ')) name.erase(0, 1);
-    return {std::move(name), !title_unit(cell).empty(), std::string(title_unit(cell)), std::string(unread_unit(cell)),
+    return {std::move(name), std::string(title_unit(cell)), std::string(unread_unit(cell)),
             std::string(other_unit(cell))};
 }
 
@@ -207,92 +213,95 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
             cells.push_back(word);
 }
 
-bool may_be_titles(const NumberTable& table, std::string_view line, const std::vector<std::string_view>& cells,
-                   bool above) {
-    const auto may_be_title = [&](std::string_view cell) {
-        return !number_in(cell, table.dialect.decimal_comma) && !(above && !cell.empty() && is_digit(cell.front()));
-    };
-    return cells.size() == table.columns && std::all_of(cells.begin(), cells.end(), may_be_title) &&
-           !(table.columns == 1 && is_key_and_number(line));
+bool is_titled(const std::vector<ColumnTitle>& titles) {
+    return std::any_of(titles.begin(), titles.end(), [](const ColumnTitle& title) { return !title.name.empty(); });
 }
 
-std::vector<ColumnTitle> titles_above(const NumberTable& table) {
-    std::vector<ColumnTitle> titles;
-    std::vector<std::string_view> cells;
-    const char separator = table.dialect.separator;
-    int lines = 0;
-    for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
-        const std::string_view raw = table.lines[i].text;
-        for (const std::string_view line : {raw, without_comment_sign(raw, separator)}) {
-            split_titles(line, separator, cells);
-            if (!may_be_titles(table, line, cells, lines == 1)) continue;
-            ++lines;
-            titles.resize(table.columns);
-            for (std::size_t c = 0; c < cells.size(); ++c) {
-                ColumnTitle title = title_of(cells[c]);
-                titles[c].has_unit = titles[c].has_unit || title.has_unit;
-                if (titles[c].no_length.empty()) titles[c].no_length = title.no_length;
-                if (titles[c].unit.empty()) titles[c].unit = title.unit;
-                if (titles[c].unread.empty()) titles[c].unread = title.unread;
-                titles[c].line = table.lines[i].number;
-                if (lines == 1 || title_unit(titles[c].name) == titles[c].name) titles[c].name = std::move(title.name);
+namespace {
+
+/// The titles in \p line that end with a unit in brackets each.
+void split_at_units(std::string_view line, std::vector<std::string_view>& cells) {
+    cells.clear();
+    for (std::string_view rest = trimmed(line); !rest.empty();) {
+        const std::size_t end = rest.find_first_of("])");
+        if (end == std::string_view::npos) return cells.clear();
+        cells.push_back(trimmed(rest.substr(0, end + 1)));
+        if (title_unit(cells.back()).empty()) return cells.clear();
+        rest = trimmed(rest.substr(end + 1));
+    }
+}
+
+/// Lines of titles above a table, cut in the way of its rows or otherwise.
+class TitleLines {
+public:
+    explicit TitleLines(const NumberTable& table) : table_(table), titles_(table.columns) {}
+
+    std::vector<ColumnTitle> titles() {
+        for (std::size_t i = table_.first; i-- > 0 && own_ < 2;) {
+            const std::size_t number = table_.lines[i].number;
+            if (is_cut_as_rows(table_.lines[i].text)) {
+                ++own_;
+                for (std::size_t c = 0; c < cells_.size(); ++c) add(titles_[c], title_of(cells_[c]), number);
+            } else if (written_ == 2 || !is_cut_otherwise(table_.lines[i].text)) {
+                continue;
             }
-            break;
+            if (++written_ > 2) continue;
+            for (std::size_t c = 0; c < cells_.size(); ++c) {
+                titles_[c].text = std::string(cells_[c]) + (written_ > 1 ? " " + titles_[c].text : "");
+                titles_[c].line = number;
+            }
         }
+        return std::move(titles_);
     }
-    return titles;
-}
 
-std::vector<bool> spare_columns(const NumberTable& table, const std::vector<ColumnTitle>& titles) {
-    std::vector<bool> spare(table.columns);
-    for (std::size_t c = 0; c < table.columns; ++c) {
-        bool constant = table.rows() > 1;  // or empty, as between two tabs
-        for (std::size_t r = 1; constant && r < table.rows(); ++r)
-            constant = table.at(r, c) == table.at(0, c) || (std::isnan(table.at(r, c)) && std::isnan(table.at(0, c)));
-        const ColumnTitle* const title = c < titles.size() ? &titles[c] : nullptr;
-        const bool named = title && !title->has_unit && (names_neither(title->name) || !title->no_length.empty());
-        spare[c] = constant || named || (title && names_error(title->name));
+private:
+    /// Whether the cells are titles, where \p lines of titles are below them: a line above may be a key and its value,
+    /// "Objective:;20X".
+    bool are_titles(std::string_view line, int lines) const {
+        if (cells_.size() != table_.columns) return false;
+        if (table_.columns == 1 ? is_key_and_number(line) : is_key_and_unit(line)) return false;
+        return std::none_of(cells_.begin(), cells_.end(), [&](std::string_view cell) {
+            return number_in(cell, table_.dialect.decimal_comma) ||
+                   (lines > 0 && !cell.empty() && is_digit(cell.front()));
+        });
     }
-    return spare;
-}
 
-bool may_be_exchanged(const ColumnTitle& first, const ColumnTitle& second) {
-    return !names_position(first.name) && (!names_height(second.name) || names_position(second.name));
-}
-
-void refuse_no_length(const std::vector<ColumnTitle>& titles, std::size_t column, const std::string& name) {
-    if (column == 0 || column > titles.size() || titles[column - 1].no_length.empty()) return;
-    refuse_file(name, {"has a column ", column, " in ", shown_cell(titles[column - 1].no_length),
-                       ", which is of no length; must be a column in a unit of length"});
-}
-
-bool counts_points(const NumberTable& table, std::size_t c, bool from_start) {
-    for (std::size_t r = 0; r < table.rows(); ++r) {
-        const double value = table.at(r, c);
-        if (!(value == std::floor(value))) return false;  // NaN too
-        if (r > 0 && !(from_start ? value == table.at(r - 1, c) + 1 : value > table.at(r - 1, c))) return false;
+    bool is_cut_as_rows(std::string_view text) {
+        const char separator = table_.dialect.separator;
+        for (const std::string_view line : {without_comment_sign(text, separator), text}) {  // a title may be "#"
+            split_titles(line, separator, cells_);
+            if (are_titles(line, own_)) return true;
+        }
+        return false;
     }
-    return table.rows() > 1 && (!from_start || table.at(0, c) == 0 || table.at(0, c) == 1);
-}
 
-std::vector<bool> index_columns(const NumberTable& table) {
-    if (table.columns < 2) return {};
-    std::vector<bool> index = table.words;
-    if (!index.empty()) index.resize(table.columns);
-    const std::vector<ColumnTitle> titles = titles_above(table);
-    if (titles.empty()) return index;
-    index.resize(table.columns);
-    bool any = false;
-    for (std::size_t c = 0; c < table.columns; ++c)
-        if (!index[c]) index[c] = !titles[c].has_unit && names_index(titles[c].name) && counts_points(table, c, false);
-    const bool length_beside = std::any_of(titles.begin() + 1, titles.end(), [](const ColumnTitle& title) {
-        return title.has_unit || names_position(title.name) || names_height(title.name);
-    });
-    if (!titles[0].has_unit && !names_position(titles[0].name) && !names_height(titles[0].name) && length_beside &&
-        counts_points(table, 0, true))
-        index[0] = true;
-    for (const bool one : index) any = any || one;
-    return any ? index : std::vector<bool>();
-}
+    bool is_cut_otherwise(std::string_view text) {
+        const std::string_view line = without_comment_sign(text, table_.dialect.separator);
+        if (table_.dialect.separator == ' ' && table_.columns > 1)
+            for (const char separator : {';', '\t', ','}) {
+                split_titles(line, separator, cells_);
+                if (cells_.size() == table_.columns) return are_titles(line, written_);
+            }
+        split_at_units(line, cells_);
+        return are_titles(line, written_);
+    }
+
+    static void add(ColumnTitle& title, ColumnTitle above, std::size_t line) {
+        if (title_unit(title.name) == title.name) title.name = std::move(above.name);  // none, or a unit alone
+        if (title.no_length.empty()) title.no_length = std::move(above.no_length);
+        if (title.unit.empty()) title.unit = std::move(above.unit);
+        if (title.unread.empty()) title.unread = std::move(above.unread);
+        title.line = line;
+    }
+
+    const NumberTable& table_;
+    std::vector<ColumnTitle> titles_;
+    std::vector<std::string_view> cells_{};
+    int own_ = 0, written_ = 0;  // lines that are cut as the rows are, and all
+};
+
+}  // namespace
+
+std::vector<ColumnTitle> titles_above(const NumberTable& table) { return TitleLines(table).titles(); }
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -4,7 +4,7 @@
 /// Words above the columns of a text, in the languages of instruments: what a column holds by its name. Names are those
 /// of ColumnTitle: lower case, without unit.
 ///
-/// Accuracy    none: words (tests/io/column_titles_test.cpp, row_layout_test.cpp)
+/// Accuracy    none: words (tests/io/roles_test.cpp, row_layout_test.cpp)
 
 #include <string_view>
 

@@ -9,6 +9,15 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
+/// Whether \p options give a size of a map.
+inline bool gives_size(const SurfaceOptions& options) {
+    return options.dx || options.dy || options.width || options.height;
+}
+/// Whether \p options ask for a profile, or have a use for one alone.
+inline bool asks_for_profile(const SurfaceOptions& options) {
+    return options.format == SurfaceFormat::profile || options.column != 0 || options.x_column != 0 || options.spacing;
+}
+
 /// Units of x and y and of the heights, and their factors [m].
 struct GivenUnits {
     std::string lengths, heights;
@@ -24,11 +33,6 @@ GivenUnits given_lengths(const SurfaceOptions& options, const std::string& name,
 /// record \throws domain_error for a suspected one where the options mark none.
 std::string take_heights(std::vector<double>& heights, const GivenUnits& units, const SurfaceOptions& options,
                          const std::string& name);
-
-/// Whether \p options give a size of a map.
-inline bool gives_size(const SurfaceOptions& options) {
-    return options.dx || options.dy || options.width || options.height;
-}
 
 /// An option of a length, by its name; its value [m].
 struct LengthOption {

@@ -338,7 +338,7 @@ Reading map_of_points(PointCloud cloud, const std::string& name, const SurfaceOp
         record.note("spacing", "from steps of x and y");
         map.rows = grid->y.count, map.columns = grid->x.count;
         map.dx = grid->x.step * cloud.units[0], map.dy = grid->y.step * cloud.units[1];
-        map.heights = heights_on(*grid, table, name);
+        map.heights = heights_on(*grid, table, column_of(table, 2), name);
         for (double& z : map.heights)
             z = std::isfinite(z) ? z * cloud.units[2] : std::numeric_limits<double>::quiet_NaN();
         record.origin = {grid->x.origin * cloud.units[0], grid->y.origin * cloud.units[1]};

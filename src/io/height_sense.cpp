@@ -221,62 +221,6 @@ std::optional<double> height_factor(const HeaderEntry& entry) {
 
 namespace {
 
-/// The titles in \p line that end with a unit in brackets each.
-void split_at_units(std::string_view line, std::vector<std::string_view>& cells) {
-    cells.clear();
-    for (std::string_view rest = trimmed(line); !rest.empty();) {
-        const std::size_t end = rest.find_first_of("])");
-        if (end == std::string_view::npos) return cells.clear();
-        cells.push_back(trimmed(rest.substr(0, end + 1)));
-        if (title_unit(cells.back()).empty()) return cells.clear();
-        rest = trimmed(rest.substr(end + 1));
-    }
-}
-
-}  // namespace
-
-std::vector<WrittenTitle> written_titles(const NumberTable& table) {
-    std::vector<WrittenTitle> titles(table.columns);
-    std::vector<std::string_view> cells;
-    const char own = table.dialect.separator;
-    int lines = 0;
-    for (std::size_t i = table.first; i-- > 0 && lines < 2;) {
-        const std::string_view line = without_comment_sign(table.lines[i].text, own);
-        split_titles(line, own, cells);
-        for (const char separator : {';', '\t', ','})
-            if (cells.size() != table.columns && own == ' ' && table.columns > 1) split_titles(line, separator, cells);
-        if (cells.size() != table.columns) split_at_units(line, cells);
-        if (!may_be_titles(table, line, cells, lines == 1)) continue;
-        ++lines;
-        for (std::size_t c = 0; c < cells.size(); ++c)
-            titles[c] = {std::string(cells[c]) + (lines > 1 ? " " + titles[c].text : ""), table.lines[i].number};
-    }
-    return titles;
-}
-
-void check_factor(const WrittenTitle& title, bool heights, const SurfaceOptions& options, const std::string& name,
-                  Record& record) {
-    if (!has_factor(title.text, heights)) return;
-    if (options.units.empty())
-        refuse_line(name, title.line,
-                    {"states ", shown_cell(title.text), " for the ", heights ? "heights" : "positions",
-                     ", which is not understood: its factor may be in the numbers; must be ",
-                     given_as(options.names, "units", "\"UNIT\""), ", in which the numbers are, such as \"10 nm\""});
-    record.warnings.push_back(
-        contradiction(options.names, "units", shown_cell(options.units),
-                      "line " + std::to_string(title.line) + ", which states " + printable(title.text, 40)));
-}
-
-double factor_of_heights(const std::vector<HeaderEntry>& entries, const SurfaceOptions& options,
-                         const std::string& name, Record& record) {
-    if (options.units.empty()) return require_scale(entries, name, options.names);
-    if (const HeaderEntry* const entry = stated_scale(entries).entry)
-        record.warnings.push_back(contradiction(options.names, "units", shown_cell(options.units), shown_line(*entry)));
-    return 1;
-}
-
-namespace {
-
 /// Whether \p entry states that the heights have the other sign. \throws domain_error where that is not clear.
 bool states_inversion(const HeaderEntry& entry, const Words& key, const Words& value, const std::string& name) {
     static constexpr std::array<std::string_view, 12> yes{"yes",  "true", "on", "ja",        "wahr",      "oui",
@@ -316,7 +260,7 @@ bool states_depth(const HeaderEntry& entry, const Words& key, const Words& value
 
 }  // namespace
 
-void turn_over(RawMap& map, const WrittenTitle& title, const std::vector<HeaderEntry>& entries, const std::string& name,
+void turn_over(RawMap& map, const ColumnTitle& title, const std::vector<HeaderEntry>& entries, const std::string& name,
                Record& record) {
     std::string depth, inversion;
     if (names_depth(title.text))

@@ -25,25 +25,9 @@ bool names_depth(std::string_view title);
 /// Whether \p title has a factor outside of its unit, as "z/10 [um]" has; one of positions may have a number after x.
 bool has_factor(std::string_view title, bool heights = true);
 
-/// Title of one column as it is written, of up to two lines; empty where there is none.
-struct WrittenTitle {
-    std::string text{};
-    std::size_t line{};
-};
-/// Those of all columns, also where blanks separate the words of titles that end with a unit each.
-std::vector<WrittenTitle> written_titles(const NumberTable& table);
-
-/// Refuses a \p title with a factor, of heights or of positions, where no unit is given; else warns of it.
-void check_factor(const WrittenTitle& title, bool heights, const SurfaceOptions& options, const std::string& name,
-                  Record& record);
-/// The factor of the heights by the header, or 1. Refuses one that may be in the numbers or not; where a unit is given,
-/// warns of it.
-double factor_of_heights(const std::vector<HeaderEntry>& entries, const SurfaceOptions& options,
-                         const std::string& name, Record& record);
-
 /// Gives the heights of \p map the other sign, with a warning, where the \p title of their column (empty for a matrix)
 /// or the header states that they grow downwards. \throws domain_error for statements that contradict.
-void turn_over(RawMap& map, const WrittenTitle& title, const std::vector<HeaderEntry>& entries, const std::string& name,
+void turn_over(RawMap& map, const ColumnTitle& title, const std::vector<HeaderEntry>& entries, const std::string& name,
                Record& record);
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -10,7 +10,7 @@
 /// recovered from the coordinates, x and y rise in the map, and points that are not there are missing.
 /// Exports of Keyence ("XY Calibration","277.8","nm"), of SPIP ("# x-length = 2000", in nm, "# Bit2nm = 0.5") and of
 /// Gwyddion in other languages are matrices too (io/header_words.hpp).
-/// Which of the two a text is, io/surface_file.cpp finds out. Of four columns and more, triples leave out what is not
+/// Which of the two a text is, io/roles.hpp finds out. Of four columns and more, triples leave out what is not
 /// x, y or z. A matrix may have positions as its first row and column (io/matrix_axes.hpp), which give its
 /// steps. Zygo's XYZ text has its pixel in the header. Missing points are empty cells,
 /// "nan", "NA", "N/A", "BAD", "No Data", "***" and the number that the header ("NODATA_value -9999") or the options
@@ -24,13 +24,13 @@
 /// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
 /// Accuracy    heights and a stated pitch within 1 ulp of the printed number (tests/io/map_text_test.cpp)
 
-#include "io/map_table.hpp"
+#include "io/roles.hpp"
 
 namespace fstiff::inline v0_1::io {
 
-/// Reads what \p table has opened as \p form, triples or matrix; its text must outlive the call.
+/// Reads a table of triples or a matrix; its text must outlive the call. Messages call it \p name.
 /// \throws domain_error naming file, line, value and what is allowed.
-[[nodiscard]] Reading read_map(detail::MapTable table, SurfaceFormat form, const SurfaceOptions& options);
+[[nodiscard]] Reading read_map(detail::TextTable table, const std::string& name, const SurfaceOptions& options);
 
 /// Whether \p line is the first of an export of Wyko (io/wyko_text.cpp).
 [[nodiscard]] bool is_wyko_text(std::string_view line);

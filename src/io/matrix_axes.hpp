@@ -20,11 +20,11 @@
 namespace fstiff::inline v0_1::io::detail {
 
 struct MatrixAxes {
-    double dx{}, dy{};                // steps in the unit of the axes
-    bool in_table{};                  // the positions along x are the first row of the table
-    bool counted{};                   // both count from 0 or 1: they may number the points
-    std::size_t line{};               // of the positions along x
-    std::vector<std::string> stated;  // units of length in the corner, each once
+    double dx{}, dy{};                  // steps in the unit of the axes
+    bool in_table{};                    // the positions along x are the first row of the table
+    bool counted{};                     // both count from 0 or 1: they may number the points
+    std::size_t line{};                 // of the positions along x
+    std::vector<std::string> stated{};  // units of length in the corner, each once
 };
 
 /// The equal step of \p positions; 0 where they neither rise nor fall in equal steps.
@@ -33,7 +33,7 @@ double equal_step(const std::vector<double>& positions, double printed);
 /// The axes of \p table, whose rows are read; none where it has none.
 std::optional<MatrixAxes> axes_of(const NumberTable& table);
 
-/// Takes the axes out of \p table: its first column, and its first row where they have one.
-void drop_axes(NumberTable& table, const MatrixAxes& axes);
+/// Takes the first row out of \p table, which holds an axis.
+void drop_first_row(NumberTable& table);
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -30,6 +30,22 @@ const Reader& reader_of(SurfaceFormat format) {
                           [&](const Reader* reader) { return reader->format == format; });
 }
 
+void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
+    const std::string useful = " " + std::string(reader_of(format).options) + " ";
+    const std::pair<std::string_view, bool> given[] = {
+        {"units", !options.units.empty()},     {"spacing", options.spacing.has_value()},
+        {"column", options.column != 0},       {"x-column", options.x_column != 0},
+        {"dx", options.dx.has_value()},        {"dy", options.dy.has_value()},
+        {"width", options.width.has_value()},  {"height", options.height.has_value()},
+        {"missing", !options.missing.empty()}, {"thousands", !options.thousands.empty()},
+        {"resample", options.resample},        {"channel", !options.channel.empty()},
+        {"grid", options.grid.has_value()},    {"x3p-increment", options.x3p_increment != X3pIncrement::apply}};
+    for (const auto& [option, is_given] : given)
+        if (is_given && useful.find(" " + std::string(option) + " ") == std::string::npos)
+            refuse_file(name, {"is read as ", name_of(format), ", which has no use for ", option,
+                               "; must not be given, or ", options.names.format, " must be another"});
+}
+
 }  // namespace detail
 
 SurfaceFormat form_of_first_bytes(std::string_view bytes) {

@@ -31,6 +31,9 @@ struct Reader {
 /// The row of \p format, which is not automatic.
 [[nodiscard]] const Reader& reader_of(SurfaceFormat format);
 
+/// Refuses the options that \p format has no use for.
+void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name);
+
 /// The function `read` of a row by a class of the bytes, the name and, where it has a use for them, the options.
 template <class Source>
 Reading read_by(std::string_view bytes, const std::string& name, [[maybe_unused]] const SurfaceOptions& options) {

@@ -3,6 +3,16 @@
 
 namespace fstiff::inline v0_1::io::detail {
 
+std::vector<double> column_of(const NumberTable& table, std::size_t c) {
+    std::vector<double> numbers(table.rows());
+    for (std::size_t r = 0; r < numbers.size(); ++r) numbers[r] = table.at(r, c);
+    return numbers;
+}
+
+double printed_step(const NumberTable& table, std::size_t c) {
+    return c < table.printed.size() ? table.printed[c].resolution() : 0;
+}
+
 std::optional<GridAxis> axis_of(std::vector<double> positions, double printed) {
     std::sort(positions.begin(), positions.end());
     for (const double merged : {0.0, 1.01 * printed}) {
@@ -38,51 +48,44 @@ std::optional<GridAxis> axis_of(std::vector<double> positions, double printed) {
     return std::nullopt;
 }
 
-std::optional<Grid> grid_of(const NumberTable& table) {
-    std::vector<double> positions[2];
-    for (std::size_t c = 0; c < 2; ++c) {
-        positions[c].resize(table.rows());
-        for (std::size_t r = 0; r < table.rows(); ++r) {
-            positions[c][r] = table.at(r, c);
-            if (std::isnan(positions[c][r])) return std::nullopt;
-        }
-    }
-    const auto x = axis_of(std::move(positions[0]), table.printed[0].resolution());
-    if (!x) return std::nullopt;
-    const auto y = axis_of(std::move(positions[1]), table.printed[1].resolution());
+std::optional<Grid> grid_of(const NumberTable& table, std::size_t x_column, std::size_t y_column) {
+    const auto axis = [&](std::size_t c) -> std::optional<GridAxis> {
+        const std::vector<double> positions = column_of(table, c);
+        if (std::any_of(positions.begin(), positions.end(), [](double x) { return std::isnan(x); })) return {};
+        return axis_of(positions, printed_step(table, c));
+    };
+    const auto x = axis(x_column), y = x ? axis(y_column) : std::nullopt;
     if (!y) return std::nullopt;
     // scattered points lie on a very fine grid of which they fill next to nothing
     const double points = static_cast<double>(x->count) * static_cast<double>(y->count);
     if (points > 10 * static_cast<double>(table.rows())) return std::nullopt;
-    return Grid{*x, *y};
+    return Grid{*x, *y, x_column, y_column};
 }
 
 std::size_t points_on(const Grid& grid, const NumberTable& table) {
-    std::vector<bool> taken(grid.x.count * grid.y.count);
+    std::vector<bool> taken(grid.size());
     for (std::size_t r = 0; r < table.rows(); ++r) {
-        const std::size_t at = (std::min)(grid.y.index(table.at(r, 1)), grid.y.count - 1) * grid.x.count +
-                               (std::min)(grid.x.index(table.at(r, 0)), grid.x.count - 1);
-        if (taken[at]) return 0;
-        taken[at] = true;
+        const std::size_t point = grid.point(table, r);
+        if (taken[point]) return 0;
+        taken[point] = true;
     }
     return table.rows();
 }
 
-std::vector<double> heights_on(const Grid& grid, const NumberTable& table, const std::string& name) {
-    std::vector<double> heights(grid.x.count * grid.y.count, std::numeric_limits<double>::quiet_NaN());
-    std::vector<std::size_t> line_at(grid.x.count * grid.y.count);
+std::vector<double> heights_on(const Grid& grid, const NumberTable& table, const std::vector<double>& heights,
+                               const std::string& name) {
+    std::vector<double> map(grid.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<std::size_t> line_at(grid.size());
     for (std::size_t r = 0; r < table.rows(); ++r) {
-        const double x = table.at(r, 0), y = table.at(r, 1);
-        const std::size_t row = (std::min)(grid.y.index(y), grid.y.count - 1);
-        const std::size_t at = row * grid.x.count + (std::min)(grid.x.index(x), grid.x.count - 1);
-        if (line_at[at] != 0)
-            refuse_line(
-                name, table.row_lines[r],
-                {"repeats the point of line ", line_at[at], ", x = ", x, ", y = ", y, "; every point must come once"});
-        line_at[at] = table.row_lines[r];
-        heights[at] = table.at(r, 2);  // by row
+        const std::size_t point = grid.point(table, r);
+        if (line_at[point] != 0)
+            refuse_line(name, table.row_lines[r],
+                        {"repeats the point of line ", line_at[point], ", x = ", table.at(r, grid.x_column),
+                         ", y = ", table.at(r, grid.y_column), "; every point must come once"});
+        line_at[point] = table.row_lines[r];
+        map[point] = heights[r];
     }
-    return heights;
+    return map;
 }
 
 }  // namespace fstiff::inline v0_1::io::detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fstiff/io/surface_file.hpp>
 
-#include "io/ambiguous_signs.hpp"
+#include "io/given_lengths.hpp"
 #include "io/map_text.hpp"
 #include "io/profile_text.hpp"
 #include "io/readers.hpp"
@@ -9,103 +9,7 @@
 #include "io/text_blocks.hpp"
 #include "io/thousands.hpp"
 
-#include <tuple>
-
 namespace fstiff::inline v0_1::io {
-
-namespace detail {
-
-namespace {
-
-/// Refuses the options that \p format has no use for.
-void check_options(SurfaceFormat format, const SurfaceOptions& options, const std::string& name) {
-    const std::string useful = " " + std::string(reader_of(format).options) + " ";
-    const std::pair<std::string_view, bool> given[] = {
-        {"units", !options.units.empty()},     {"spacing", options.spacing.has_value()},
-        {"column", options.column != 0},       {"x-column", options.x_column != 0},
-        {"dx", options.dx.has_value()},        {"dy", options.dy.has_value()},
-        {"width", options.width.has_value()},  {"height", options.height.has_value()},
-        {"missing", !options.missing.empty()}, {"thousands", !options.thousands.empty()},
-        {"resample", options.resample},        {"channel", !options.channel.empty()},
-        {"grid", options.grid.has_value()},    {"x3p-increment", options.x3p_increment != X3pIncrement::apply}};
-    for (const auto& [option, is_given] : given)
-        if (is_given && useful.find(" " + std::string(option) + " ") == std::string::npos)
-            refuse_file(name, {"is read as ", name_of(format), ", which has no use for ", option,
-                               "; must not be given, or ", options.names.format, " must be another"});
-}
-
-/// Whether the line above the rows of \p table has a unit for each of its \p columns.
-bool has_units_above(const NumberTable& table, std::size_t columns) {
-    return table.first > 0 && !units_in(table.lines[table.first - 1].text, columns, table.dialect.separator).empty();
-}
-
-/// Whether \p options ask for a profile, or have a use for one alone.
-bool asks_for_profile(const SurfaceOptions& options) {
-    return options.format == SurfaceFormat::profile || options.column != 0 || options.x_column != 0 || options.spacing;
-}
-
-/// The form of a text, and why.
-std::pair<SurfaceFormat, std::string> text_form(MapTable& reader, const std::string& name,
-                                                const SurfaceOptions& options) {
-    const std::size_t written = reader.opened().columns;  // in the first row
-    const auto named = [](std::size_t columns) {
-        return columns == 1 ? std::string("one column") : std::to_string(columns) + " columns";
-    };
-    const std::string found = named(written);
-    const bool sized = gives_size(options) || stated_grid(reader.entries(), "m", name).has_size();
-    const auto as = [&](const char* form) { return format_as(options.names, form); };
-    const auto ambiguous = [&](const std::string& what, const std::string& choice) {
-        refuse_file(name, {"has ", found, what, "; give ", choice});
-    };
-    if (asks_for_profile(options)) return {SurfaceFormat::profile, "options that only a profile has"};
-    if (const auto form = stated_form(reader.entries()); form && written > 1)
-        return {*form == MapForm::triples ? SurfaceFormat::triples : SurfaceFormat::matrix, "the header"};
-    if (written <= 2) {
-        if (sized && written == 2)
-            ambiguous(" and the size of a map: may be a profile or a matrix", as("profile") + " or " + as("matrix"));
-        return {SurfaceFormat::profile, found};
-    }
-    const std::size_t columns = reader.table(options.missing).columns;  // without those that number the points
-    if (options.grid && columns > 2) return {SurfaceFormat::triples, "grid, which only points have"};
-    if (reader.is_zygo()) return {SurfaceFormat::triples, "the header"};
-    if (reader.axes()) return {SurfaceFormat::matrix, MapTable::axes_from};
-    if (columns <= 2)
-        return {SurfaceFormat::profile,
-                named(columns) + (reader.opened().words.empty() ? " next to one that numbers the points"
-                                                                : " next to those of words")};
-    if (!sized && (columns == 3 || reader.is_titled()) && !reader.grid() && reader.columns_of_lengths() == 2)
-        return {SurfaceFormat::profile, "two columns next to others of neither positions nor heights"};
-    if (columns == 3) {
-        const bool grid = reader.grid().has_value();
-        if (grid && sized && !reader.counts_pixels())
-            ambiguous(", of which two form a grid, and a stated size: may be x, y, z triples or a matrix",
-                      as("triples") + " or " + as("matrix"));
-        if (grid) return {SurfaceFormat::triples, "three columns, the first two of which form a grid"};
-        refuse_thousands(reader.opened(), {0, 1}, false, name);
-        if (sized || (written != 3 && reader.opened().words.empty()))
-            return {SurfaceFormat::matrix, found + " and a stated size"};
-        ambiguous(
-            " that begin with no regular grid, and no stated size: may be scattered triples, a matrix "
-            "or a profile with a column to choose",
-            as("triples") + " with " + options.names.prefix + "grid, " + as("matrix") + ", or " + as("profile") +
-                " with column");
-    }
-    if (reader.begins_with_triples()) {
-        if (sized && !reader.counts_pixels())
-            ambiguous(", which begin with x, y and z, and a stated size: may be triples or a matrix",
-                      as("triples") + " or " + as("matrix"));
-        return {SurfaceFormat::triples, reader.triples_from()};
-    }
-    if (has_units_above(reader.opened(), written) && !sized)
-        ambiguous(" with a unit above each: may be columns of a profile or a matrix",
-                  as("profile") + " with column, or " + as("matrix"));
-    reader.require_no_lone_axis(options.names);
-    return {SurfaceFormat::matrix, found};
-}
-
-}  // namespace
-
-}  // namespace detail
 
 bool reads_x3p() { return detail::reader_of(SurfaceFormat::x3p).read != nullptr; }
 
@@ -159,17 +63,14 @@ Reading read_text(SurfaceRecord& record, const std::string& text, const SurfaceO
         return read_wyko_text(std::move(lines), name, options);
     }
     ChosenBlock chosen = chosen_block(blocks_of(std::move(lines), name, options), name, options);
-    NumberTable& table = chosen.block.table;
-    const auto turned = may_be_profile ? turned_text(table, options, name) : std::nullopt;
-    if (turned) table = open_table(lines_of(*turned, name, count), name, options, table.before);
-    std::optional<MapTable> map;
-    if (record.format != SurfaceFormat::profile) map.emplace(std::move(table), name);
-    if (record.format == SurfaceFormat::automatic)
-        std::tie(record.format, record.format_from) = text_form(*map, name, options);
-    check_options(record.format, options, name);
-    Reading found = record.format != SurfaceFormat::profile
-                        ? read_map(std::move(*map), record.format, options)
-                        : read_profile(map ? std::move(*map).unread() : std::move(table), name, options);
+    NumberTable& opened = chosen.block.table;
+    const auto turned = may_be_profile ? turned_text(opened, options, name) : std::nullopt;
+    if (turned) opened = open_table(lines_of(*turned, name, count), name, options, opened.before);
+    TextTable table = text_table(std::move(opened), record.format, name, options);
+    if (record.format == SurfaceFormat::automatic) record.format_from = table.form_from;
+    record.format = table.form;
+    Reading found = record.format == SurfaceFormat::profile ? read_profile(std::move(table), name, options)
+                                                            : read_map(std::move(table), name, options);
     if (turned) found.record.note("rows", "of the file are read as columns");
     note_channels(found.record, chosen);
     return found;

@@ -29,7 +29,7 @@ TEST_CASE("heights go to their points, and no point is listed twice", "[regular_
     read_rows(table, "file");
     const auto grid = grid_of(table);
     REQUIRE(grid);
-    const auto heights = heights_on(*grid, table, "file");
+    const auto heights = heights_on(*grid, table, column_of(table, 2), "file");
     REQUIRE(heights.size() == 4);
     CHECK(heights[0] == 4);
     CHECK(heights[1] == 5);
@@ -37,7 +37,7 @@ TEST_CASE("heights go to their points, and no point is listed twice", "[regular_
     CHECK(std::isnan(heights[3]));
     NumberTable twice = open_table("0 0 1\n1 0 2\n0 1 3\n1 0 4\n", "file");
     read_rows(twice, "file");
-    CHECK(test::refusal([&] { (void)heights_on(*grid_of(twice), twice, "file"); }) ==
+    CHECK(test::refusal([&] { (void)heights_on(*grid_of(twice), twice, column_of(twice, 2), "file"); }) ==
           "file, line 4: repeats the point of line 2, x = 1, y = 0; every point must come once");
 }
 

@@ -76,7 +76,24 @@ TEST_CASE("The header states units of the axes and the heights, which must agree
         {"another unit of z", "# Z unit: nm\nx [um];z [um]\n" + points, refused("must be one unit")},
         {"two in a title", "x [um];z [um] (nm)\n" + points, refused("which is not understood")},
         {"that of the positions", "Unit;mm\nx [mm];z [um]\n" + points, mm_um},
+        {"keys of columns in another order", "# x-unit: mm\n# z-unit: um\n" + rows("{z} {x}\n"), mm_um},
+        {"a radius is no title", "Stylus radius=2 nm\nx-unit=mm\nz-unit=um\n" + rows("{x} 0 {z}\n"), mm_um},
         {"another spelling", "# Z unit: \xC2\xB5m\nx [mm];z [um]\n" + points, mm_um},
+    });
+}
+
+TEST_CASE("Each column of triples has the unit of its title or else of the header, which must agree", "[units]") {
+    const std::string points = triples("{i};{j};{z}\n"), units = "# X unit: mm\n# Z unit: um\n";
+    const Decision mm_um = map(1e-3, 1e-3, 1e-6);
+    check_texts({
+        {"titles", "x [mm];y [mm];z [um]\n" + points, mm_um},
+        {"keys", units + points, mm_um},
+        {"both", units + "x [mm];y [mm];z\n" + points, mm_um},
+        {"another unit of z", units + "x [mm];y [mm];z [nm]\n" + points, refused("line 2: states um, and line 3 nm")},
+        {"another unit of x", units + "x [um];y [mm];z [um]\n" + points, refused("line 1: states mm, and line 3 um")},
+        {"no unit of y", "x [mm];y;z [um]\n" + points, refused("states no unit of y", "\"mm,um\"")},
+        {"not understood", units + "x [mm];y [mm];z [raw]\n" + points,
+         refused("states the unit \"raw\" for the heights")},
     });
 }
 

@@ -91,7 +91,8 @@ TEST_CASE("Measured files equal the values of independent readers number for num
 }
 
 TEST_CASE("Text without units is refused with the way to give them") {
-    check_texts({{"triples", grid, refused("states no units")}, {"profile", points, refused("states no unit")}});
+    check_texts(
+        {{"triples", grid, refused("states no unit of the heights")}, {"profile", points, refused("states no unit")}});
     const std::filesystem::path folder = FSTIFF_SURFACES;
     if (!std::filesystem::exists(folder)) SKIP_CASE("there is no folder of measured surfaces " + folder.string());
     for (const char* name : {"nanovea_test1.txt", "opdx-3.txt", "xy-4.txt"})

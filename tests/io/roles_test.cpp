@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns that number the points, by eye; and texts with such a column, which must be the same as without.
-#include "io/column_titles.hpp"
+#include "io/roles.hpp"
 #include "io/row_layout.hpp"
 #include "support/texts.hpp"
 
-namespace column_titles_test {
+namespace roles_test {
 
 using namespace fstiff;
 using namespace fstiff::io::detail;
@@ -16,7 +16,9 @@ namespace {
 std::vector<bool> index_of(const std::string& text) {
     NumberTable table = open_table(text, "file");
     read_rows(table, "file");
-    return index_columns(table);
+    std::vector<bool> index;
+    for (const Role role : first_roles(table, titles_above(table))) index.push_back(role == Role::index);
+    return index;
 }
 /// Rows that are numbered from \p first, with decimal commas.
 std::string counted(int first, const std::string& separator = ";") {
@@ -108,7 +110,7 @@ TEST_CASE("Which columns number the points follows from titles and numbers", "[i
             all += std::to_string(1 + step * i) + (share > 0 ? ".5" : "") + ",0." + std::to_string(i) + "\n";
         return all;
     };
-    const std::vector<bool> first{true, false}, none;
+    const std::vector<bool> first{true, false}, none{false, false};
     CHECK(index_of(text("No.,z [um]", 1, 0)) == first);
     CHECK(index_of(text("No.,z [um]", 2, 0)) == first);
     CHECK(index_of(text("No.,z [um]", -1, 0)) == none);   // falls
@@ -134,4 +136,4 @@ TEST_CASE("Triples may be next to a column that numbers them", "[index]") {
                 map(1e-6, 1e-6, 1e-9, {"\ncolumns: x, y and heights in 2, 3, 4; left out: 1\n"})});
 }
 
-}  // namespace column_titles_test
+}  // namespace roles_test
