@@ -53,8 +53,9 @@ std::string_view last_unit(std::string_view title) {
     if (last == std::string_view::npos) return word;
     const std::string_view before = trimmed(title.substr(0, last));
     // "0.0 um" is a length, no title; a bare "in" after a word is a preposition that lost its unit
-    if (before.empty() || is_digit(before.back()) || (word == "in" && title[last] != '/' && !before.ends_with(" in")))
-        return {};
+    const std::string_view word_before = before.substr(before.find_last_of(" \t([{<") + 1);
+    const bool after_sign = title[last] == '/' || before.ends_with('/') || before.ends_with(" in");
+    if (before.empty() || is_number(word_before) || (word == "in" && !after_sign)) return {};
     return word;
 }
 
@@ -80,10 +81,9 @@ bool is_key_and_unit(std::string_view line) {
     const std::size_t sign = line.find_first_of(":=");
     if (sign == std::string_view::npos) return false;
     const std::string_view value = trimmed(line.substr(sign + 1));
-    const LeadingNumber number = leading_number(value);
-    const bool is_number = number.status == NumberStatus::ok;
-    const std::string_view unit = is_number ? trimmed(value.substr(number.length)) : value;
-    return unit.empty() ? is_number : is_length(unit) || measures_no_length(unit);
+    const std::size_t end = (std::min)(value.find_first_not_of("+-0123456789.,"), value.size());
+    const std::string_view unit = trimmed(value.substr(end));
+    return unit.empty() ? end > 0 : is_length(unit) || measures_no_length(unit);
 }
 
 }  // namespace

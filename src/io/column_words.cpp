@@ -42,7 +42,7 @@ bool names_position(std::string_view name) {
 }
 
 bool names_neither(std::string_view name) {
-    static constexpr std::array<std::string_view, 46> words{"t",
+    static constexpr std::array<std::string_view, 52> words{"t",
                                                             "time",
                                                             "timestamp",
                                                             "zeit",
@@ -87,7 +87,13 @@ bool names_neither(std::string_view name) {
                                                             "blue",
                                                             "grey",
                                                             "gray",
-                                                            "qualit\xC3\xA4t"};
+                                                            "qualit\xC3\xA4t",
+                                                            "qualit\xE4t",
+                                                            "qualitaet",
+                                                            "qualit\xC3\xA9",
+                                                            "qualite",
+                                                            "calidad",
+                                                            "qualita"};
     return begins_with_word(name, words);
 }
 

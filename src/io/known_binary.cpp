@@ -119,6 +119,7 @@ constexpr std::array known_texts{
     KnownBinary{"{", "a text of JSON", json},
     KnownBinary{"[", "a text of JSON", json},
     KnownBinary{"<svg", "an SVG picture", no_heights},
+    KnownBinary{"# vtk DataFile", "a file of VTK (.vtk)", points},
     KnownBinary{"<VTKFile", "a file of VTK (.vtu, .vti)", points},
     KnownBinary{"<?xml", "a text of XML", from_the_program},
     KnownBinary{"<!DOCTYPE html", "a page of HTML", from_the_program},

@@ -78,11 +78,15 @@ bool counts_points(const NumberTable& table, std::size_t c, bool from_start) {
     return table.rows() > 1 && (!from_start || table.at(0, c) == 0 || table.at(0, c) == 1);
 }
 
-/// Whether column \p c holds neither positions nor heights: one number throughout, or nothing, as between two tabs; or
-/// by its \p title, such as "Time" and "Intensity" without a unit of length.
+/// Whether \p title is of neither positions nor heights, such as "Time" and "Intensity" without a unit of length.
+bool names_other(const ColumnTitle& title) {
+    return names_error(title.name) || (title.unit.empty() && (names_neither(title.name) || !title.no_length.empty()));
+}
+
+/// Whether column \p c holds neither positions nor heights: by its \p title, or one number throughout, or nothing, as
+/// between two tabs.
 bool is_spare(const NumberTable& table, std::size_t c, const ColumnTitle& title) {
-    if (names_error(title.name)) return true;
-    if (title.unit.empty() && (names_neither(title.name) || !title.no_length.empty())) return true;
+    if (names_other(title)) return true;
     const std::vector<double> numbers = column_of(table, c);
     return numbers.size() > 1 && std::all_of(numbers.begin(), numbers.end(), [&](double number) {
                return number == numbers[0] || (std::isnan(number) && std::isnan(numbers[0]));
@@ -322,6 +326,13 @@ private:
             for (const std::size_t c : table_.columns(Role::open))
                 if (is_spare(numbers_, c, table_.titles[c])) roles[c] = Role::unused;
         std::vector<std::size_t> open = table_.columns(Role::open);
+        if (chosen == 0 && open.size() == 2 && most == 2)  // heights next to their quality
+            for (const std::size_t k : {0, 1})
+                if (names_height(table_.titles[open[1 - k]].name) && names_other(table_.titles[open[k]])) {
+                    roles[open[k]] = Role::unused;
+                    open = {open[1 - k]};
+                    break;
+                }
         if (chosen == 0 && (open.empty() || open.size() > most))
             refuse_file(name_, {"has ", numbers_.columns,
                                 " columns; must be one (heights) or two (positions and heights), or give the column of "
