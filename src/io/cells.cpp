@@ -58,7 +58,8 @@ bool all_numbers(const std::vector<std::string_view>& cells, bool decimal_comma)
     return numbers > 0 || (words > 0 && ornaments == 0);
 }
 
-/// How the line reads as a row of numbers and missing points; none when it does not.
+}  // namespace
+
 std::optional<Dialect> dialect_of(std::string_view line) {
     std::vector<std::string_view> cells;
     std::vector<Dialect> candidates;
@@ -88,8 +89,6 @@ std::optional<Dialect> dialect_of(std::string_view line) {
     }
     return std::nullopt;
 }
-
-}  // namespace
 
 std::string_view without_comment(std::string_view line) {
     for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1)) {

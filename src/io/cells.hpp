@@ -28,6 +28,9 @@ void split_row(std::string_view line, char separator, std::vector<std::string_vi
 /// \p line up to a "#" that is glued neither to a number nor to a word for a missing point, as in 1.#IND and #N/A.
 std::string_view without_comment(std::string_view line);
 
+/// How \p line reads as a row of numbers and missing points; none when it does not.
+std::optional<Dialect> dialect_of(std::string_view line);
+
 bool is_comment(std::string_view line);
 
 }  // namespace fstiff::inline v0_1::io::detail

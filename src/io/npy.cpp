@@ -18,6 +18,7 @@
 
 #include "io/binary_numbers.hpp"
 #include "io/given_lengths.hpp"
+#include "io/lines.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
 

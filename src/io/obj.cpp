@@ -11,6 +11,7 @@
 /// Valid       as io/gridded.hpp
 /// Accuracy    as io/gridded.hpp (tests/io/obj_test.cpp)
 
+#include "io/cells.hpp"
 #include "io/lines.hpp"
 #include "io/readers.hpp"
 #include "io/triangle_mesh.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/readers.hpp"
 
+#include "io/lines.hpp"
+
 #include <algorithm>
 #include <array>
 

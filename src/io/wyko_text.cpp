@@ -16,6 +16,7 @@
 /// Valid       2 points a side at least, of heights that vary; lines up to 2^20 characters, files up to 2^31
 /// Accuracy    number times step, rounded twice (tests/io/wyko_text_test.cpp)
 
+#include "io/given_lengths.hpp"
 #include "io/map_text.hpp"
 
 #include "io/required.hpp"
