@@ -21,28 +21,6 @@ bool is_factor(std::string_view text) {
     return rest.empty() ? before : rest[0] == '^' || rest == "x" || rest == "X" || rest == "\xC3\x97";
 }
 
-/// What a title states of a unit.
-struct TitleParts {
-    std::vector<std::string_view> lengths, others;  // in brackets
-    bool contradicts{}, scaled{};                   // two units; a factor next to the unit
-    std::string_view from_bracket;                  // the title from the first bracket on
-};
-
-TitleParts parts_of(std::string_view title) {
-    TitleParts parts;
-    const std::vector<Bracket> brackets = brackets_in(title);
-    for (const Bracket& bracket : brackets)
-        if (!bracket.inside.empty()) (bracket.states_unit() ? parts.lengths : parts.others).push_back(bracket.inside);
-    if (!brackets.empty()) parts.from_bracket = trimmed(title.substr(brackets.front().begin));
-    if (parts.lengths.empty()) return parts;
-    const auto factor = [](std::string_view unit) { return unit_factor(unit, Dimension::length); };
-    for (const std::string_view unit : parts.lengths)
-        parts.contradicts = parts.contradicts || factor(unit) != factor(parts.lengths[0]);
-    parts.scaled = is_factor(title.substr(brackets.back().end)) ||
-                   std::any_of(parts.others.begin(), parts.others.end(), is_factor);
-    return parts;
-}
-
 /// The last word of \p title where it is a unit, as in "height in um".
 std::string_view last_unit(std::string_view title) {
     const std::size_t last = title.find_last_of(" \t/_:=");
@@ -59,13 +37,17 @@ std::string_view last_unit(std::string_view title) {
     return word;
 }
 
-/// What is in place of the unit of \p title but is not understood.
-std::string_view unread_unit(std::string_view title) {
-    const TitleParts parts = parts_of(title);
-    if (parts.contradicts || parts.scaled) return parts.from_bracket;
-    if (!parts.lengths.empty() || !title_unit(title).empty()) return {};
-    for (const std::string_view inside : parts.others)
-        if (std::any_of(inside.begin(), inside.end(), [](char c) { return c != '-' && c != ' '; })) return inside;
+/// The unit of \p title that is of no length, in brackets or as its last word.
+std::string_view other_unit(std::string_view title) {
+    if (const auto brackets = brackets_in(title); !brackets.empty() && measures_no_length(brackets.back().inside))
+        return brackets.back().inside;
+    for (const char* sign : {" \t_:=", "/"}) {
+        const std::size_t last = title.find_last_of(sign);
+        const std::string_view word = title.substr(last + 1);  // the whole title where there is no sign
+        // a letter alone, or one with a number, is a name unless a stroke is before it
+        const bool is_name = word.size() < 2 || std::any_of(word.begin(), word.end(), is_digit);
+        if ((!is_name || (sign[0] == '/' && last < title.size())) && measures_no_length(word)) return word;
+    }
     return {};
 }
 
@@ -105,13 +87,29 @@ bool Bracket::states_unit() const {
     return is_length(inside) && (!number || sign == '[' || inside.find('^') != std::string_view::npos);
 }
 
-std::string_view title_unit(std::string_view title) {
+TitleUnit unit_of_title(std::string_view title) {
     title = unquoted(title);
-    const TitleParts parts = parts_of(title);
-    if (std::any_of(parts.others.begin(), parts.others.end(), measures_no_length)) return {};  // "force (N/m)"
-    if (parts.lengths.empty()) return last_unit(title);
-    return parts.contradicts || parts.scaled ? std::string_view() : parts.lengths[0];
+    std::vector<std::string_view> lengths, others;
+    const std::vector<Bracket> brackets = brackets_in(title);
+    for (const Bracket& bracket : brackets)
+        if (!bracket.inside.empty()) (bracket.states_unit() ? lengths : others).push_back(bracket.inside);
+    TitleUnit stated;
+    stated.scaled = !lengths.empty() && (is_factor(title.substr(brackets.back().end)) ||
+                                         std::any_of(others.begin(), others.end(), is_factor));
+    const bool agree = std::all_of(lengths.begin(), lengths.end(), [&](std::string_view unit) {
+        return unit_factor(unit, Dimension::length) == unit_factor(lengths[0], Dimension::length);
+    });
+    if (stated.scaled || !agree)
+        stated.unread = trimmed(title.substr(brackets.front().begin));
+    else if (std::none_of(others.begin(), others.end(), measures_no_length))  // else "force (N/m)"
+        stated.length = lengths.empty() ? last_unit(title) : lengths[0];
+    const auto is_word = [](std::string_view inside) { return inside.find_first_not_of("- ") < inside.size(); };
+    const auto word = std::find_if(others.begin(), others.end(), is_word);
+    if (lengths.empty() && stated.length.empty() && word != others.end()) stated.unread = *word;
+    return stated;
 }
+
+std::string_view title_unit(std::string_view title) { return unit_of_title(title).length; }
 
 std::string_view without_comment_sign(std::string_view line, char separator) {
     line = trimmed(line);
@@ -144,7 +142,7 @@ std::vector<std::string_view> units_in(std::string_view line, std::size_t column
     line = without_comment_sign(line, separator);
     for (const char candidate : {separator, ';', '\t', ',', ' '})
         if ((candidate == separator || line.find(candidate) < line.size()) && in_cells(candidate)) return found;
-    if (columns == 1 || parts_of(line).scaled) return {};
+    if (columns == 1 || unit_of_title(line).scaled) return {};
     found.clear();  // "x [um] z [nm]": as many in brackets as columns, in their order
     for (const Bracket& bracket : brackets_in(line))
         if (bracket.states_unit()) found.push_back(bracket.inside);
@@ -172,32 +170,14 @@ TitleUnits title_units(const NumberTable& table, std::size_t columns, const Free
     return {};
 }
 
-namespace {
-
-/// The unit of \p title that is of no length, in brackets or as its last word, where it has none of length.
-std::string_view other_unit(std::string_view title) {
-    if (!title_unit(title).empty()) return {};
-    if (const auto brackets = brackets_in(title); !brackets.empty() && measures_no_length(brackets.back().inside))
-        return brackets.back().inside;
-    for (const char* sign : {" \t_:=", "/"}) {
-        const std::size_t last = title.find_last_of(sign);
-        const std::string_view word = title.substr(last + 1);  // the whole title where there is no sign
-        // a letter alone, or one with a number, is a name unless a stroke is before it
-        const bool is_name = word.size() < 2 || std::any_of(word.begin(), word.end(), is_digit);
-        if ((!is_name || (sign[0] == '/' && last < title.size())) && measures_no_length(word)) return word;
-    }
-    return {};
-}
-
-}  // namespace
-
 ColumnTitle title_of(std::string_view cell) {
     cell = unquoted(cell);
     std::string name = lower_case(trimmed(cell.substr(0, (std::min)(cell.find_first_of("[({<"), cell.size()))));
     while (name.size() > 1 && (name.back() == '.' || name.back() == ':' || name.back() == ' ')) name.pop_back();
     while (name.size() > 1 && (name.front() == '#' || name.front() == ' ')) name.erase(0, 1);
-    return {std::move(name), std::string(title_unit(cell)), std::string(unread_unit(cell)),
-            std::string(other_unit(cell))};
+    const TitleUnit stated = unit_of_title(cell);
+    return {std::move(name), stated.length, stated.unread,
+            stated.length.empty() ? other_unit(cell) : std::string_view()};
 }
 
 void split_titles(std::string_view line, char separator, std::vector<std::string_view>& cells) {
@@ -286,11 +266,11 @@ private:
         return are_titles(line, written_);
     }
 
-    static void add(ColumnTitle& title, ColumnTitle above, std::size_t line) {
-        if (title_unit(title.name) == title.name) title.name = std::move(above.name);  // none, or a unit alone
-        if (title.no_length.empty()) title.no_length = std::move(above.no_length);
-        if (title.unit.empty()) title.unit = std::move(above.unit);
-        if (title.unread.empty()) title.unread = std::move(above.unread);
+    static void add(ColumnTitle& title, const ColumnTitle& above, std::size_t line) {
+        if (title_unit(title.name) == title.name) title.name = above.name;  // none, or a unit alone
+        if (title.no_length.empty()) title.no_length = above.no_length;
+        if (title.unit.empty()) title.unit = above.unit;
+        if (title.unread.empty()) title.unread = above.unread;
         title.line = line;
     }
 

@@ -25,7 +25,16 @@ struct Bracket {
 };
 std::vector<Bracket> brackets_in(std::string_view text);
 
-/// The length unit that a column title states, as in "x [um]", "x (um)", "x/um", "height in um", "um"; "" for none.
+/// What a column title states of a unit; views into the title, empty for none.
+struct TitleUnit {
+    std::string_view length;  // as in "x [um]", "x (um)", "x/um", "height in um", "um"
+    /// What is in place of a unit but is not understood: "raw" of "z [raw]", "[um] (x100)" of a unit with a factor, two
+    /// units that contradict each other.
+    std::string_view unread;
+    bool scaled{};  // a factor is next to a unit of length
+};
+TitleUnit unit_of_title(std::string_view title);
+/// The unit of length alone.
 std::string_view title_unit(std::string_view title);
 
 /// Whether each column may do without a unit; empty: none may.
@@ -51,13 +60,10 @@ TitleUnits title_units(const NumberTable& table, std::size_t columns, const Free
 
 /// Title above one column, of up to two lines; without text where there is none.
 struct ColumnTitle {
-    std::string name{};  // lower case, without unit and punctuation; "#" stays
-    std::string unit{};  // of length
-    /// What is in place of a unit but is not understood: "raw" of "z [raw]", "[um] (x100)" of a unit with a factor, two
-    /// units that contradict each other.
-    std::string unread{};
-    std::string no_length{};  // its unit where that is of something else, as of "Slope (urad)"
-    std::string text{};       // as written; all there is where not the separator of the table cuts the line into titles
+    std::string name{};                 // lower case, without unit and punctuation; "#" stays
+    std::string_view unit{}, unread{};  // as of TitleUnit
+    std::string_view no_length{};       // a unit of something else, as of "Slope (urad)"
+    std::string text{};  // as written; all there is where not the separator of the table cuts the line into titles
     std::size_t line{};
 };
 

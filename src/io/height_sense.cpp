@@ -98,14 +98,12 @@ std::vector<TitleNumber> numbers_in(const std::string& text) {
 
 /// \p title in lower case with blanks in place of the brackets that hold a unit.
 std::string without_units(std::string_view title) {
-    std::string text = plain_text(unquoted(title));
-    for (std::size_t begin = 0; (begin = text.find_first_of("[({<", begin)) != std::string::npos; ++begin) {
-        const std::size_t end = text.find_first_of("])}>", begin);
-        if (end == std::string::npos) break;
-        if (is_unit(trimmed(std::string_view(text).substr(begin + 1, end - begin - 1)), Dimension::length))
-            text.replace(begin, end - begin + 1, end - begin + 1, ' ');
-        else
-            text[begin] = text[end] = ' ';
+    const std::string plain = plain_text(unquoted(title));
+    std::string text = plain;
+    for (const Bracket& bracket : brackets_in(plain)) {
+        text[bracket.begin] = text[bracket.end - 1] = ' ';
+        const std::size_t length = bracket.end - bracket.begin;
+        if (is_unit(bracket.inside, Dimension::length)) text.replace(bracket.begin, length, length, ' ');
     }
     return text;
 }

@@ -69,7 +69,7 @@ private:
         }
         if (positions_.size() < 2) return;
         const std::size_t x = *table_.column(Role::x);
-        const std::string unit = options_.units.empty() ? table_.titles[x].unit : units_.lateral;
+        const std::string_view unit = options_.units.empty() ? table_.titles[x].unit : units_.lateral;
         if (unit.empty()) return;
         const double step = std::abs(positions_.back() - positions_.front()) /
                             static_cast<double>(positions_.size() - 1) * unit_factor(unit, Dimension::length);

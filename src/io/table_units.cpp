@@ -131,7 +131,7 @@ private:
         if (factor)
             warn(line(title.line) + ", which states " + printable(title.text, 40));
         else if (!given_.empty() && title.unread.starts_with('['))
-            warn(line(title.line) + ", which states " + title.unread);
+            warn(line(title.line) + ", which states " + std::string(title.unread));
     }
 
     /// Where columns have titles, the unit of the header may be about another one.
@@ -275,7 +275,7 @@ private:
                                                       : " (x and y, heights), each ";
         const std::string must = "must be " + given_as(options_.names, "units", asked()) + each + "one of " +
                                  accepted_units(Dimension::length);
-        const auto refuse = [&](std::size_t number, const std::string& unit) {
+        const auto refuse = [&](std::size_t number, std::string_view unit) {
             refuse_line(
                 name_, number,
                 {"states the unit ", shown_cell(unit), " for ", column.what, ", which is not understood; ", must});
