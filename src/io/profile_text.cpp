@@ -79,6 +79,7 @@ private:
 
     double spacing() {
         const auto stated = stated_spacing(table_.entries);
+        const std::string place = stated ? "line " + std::to_string(stated->line) + " (" + stated->text + ")" : "";
         if (options_.spacing) {
             fstiff::detail::require_positive("spacing", *options_.spacing);
             warn_of_spacing(*options_.spacing, stated);
@@ -90,27 +91,22 @@ private:
                 refuse_file(name_,
                             {"has no column of positions", numbering(), " and no spacing is given; must be ",
                              given_as(options_.names, "spacing", "\"0.5 um\""), hint_of_mitutoyo(table_.numbers)});
-            spacing_from_ = "line " + std::to_string(stated->line) + " (" + stated->text + ")";
+            spacing_from_ = place;
             return stated->value;
         }
         const double step = mean_step() * units_.x.factor;
         spacing_from_ = "mean step of the positions";
-        if (stated) {
-            const bool same = std::abs(step - stated->value) <= 1e-9 * step;
-            // else rounded to its last digit
-            const bool agrees = same || std::abs(step - stated->value) <= 0.6 * stated->resolution;
-            if (!agrees)
-                refuse_line(name_, stated->line,
-                            {shown_cell(stated->text), " disagrees with the positions, whose mean step is ", step,
-                             " m; must agree, or the spacing be given"});
-            if (same) {
-                // the same number, without the rounding of the positions
-                spacing_from_ =
-                    "line " + std::to_string(stated->line) + " (" + stated->text + "), with which the positions agree";
-                return stated->value;
-            }
-            spacing_from_ += ", which agrees with line " + std::to_string(stated->line) + " (" + stated->text + ")";
+        if (!stated) return step;
+        const double difference = std::abs(step - stated->value);
+        if (difference <= 1e-9 * step) {  // the same number, without the rounding of the positions
+            spacing_from_ = place + ", with which the positions agree";
+            return stated->value;
         }
+        if (!(difference <= 0.6 * stated->resolution))  // rounded to its last digit
+            refuse_line(name_, stated->line,
+                        {shown_cell(stated->text), " disagrees with the positions, whose mean step is ", step,
+                         " m; must agree, or the spacing be given"});
+        spacing_from_ += ", which agrees with " + place;
         return step;
     }
 
