@@ -53,7 +53,7 @@ class LoneWhole {
 public:
     /// \p value is what fills \p cell.
     void add(std::string_view cell, double value) {
-        if (cell.find_first_of(".,") != std::string_view::npos)
+        if (std::any_of(cell.begin(), cell.end(), is_decimal_sign))
             decimals_ = true;
         else if (std::isnan(value_))
             value_ = value;

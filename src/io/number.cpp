@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/number.hpp"
 
+#include <cfloat>
+#include <cstdint>
+
 namespace fstiff::inline v0_1::io::detail {
 
 std::string lower_case(std::string_view text) {
@@ -72,13 +75,44 @@ LeadingNumber leading_number(std::string_view text, int exponent) {
 }
 
 double last_digit_of(std::string_view cell) {
-    const std::size_t e = (std::min)(cell.find_first_of("eEdD"), cell.size());
-    const std::size_t point = (std::min)(cell.find_first_of(".,"), e);
-    const double decimals = point < e ? static_cast<double>(e - point - 1) : 0;
-    return (e < cell.size() ? leading_number(cell.substr(e + 1)).value : 0) - decimals;
+    const auto exponent =
+        std::find_if(cell.begin(), cell.end(), [](char c) { return (c | 0x20) == 'e' || (c | 0x20) == 'd'; });
+    const auto point = std::find_if(cell.begin(), exponent, is_decimal_sign);
+    const auto decimals = static_cast<double>(point == exponent ? 0 : exponent - point - 1);
+    return (exponent == cell.end() ? 0 : leading_number({exponent + 1, cell.end()}).value) - decimals;
 }
 
+namespace {
+
+/// The number that fills \p cell where it has no exponent and at most 16 characters after its sign. Digits up to 2^53
+/// and powers of ten are exact, so that their quotient is correctly rounded (Clinger, PLDI 1990, 92-101).
+std::optional<double> short_number(std::string_view cell, char decimal_sign) {
+    static constexpr std::array<double, 17> powers{1e0, 1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7, 1e8,
+                                                   1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16};
+    const bool is_negative = cell.starts_with('-');
+    if (is_negative || cell.starts_with('+')) cell.remove_prefix(1);
+    if (cell.size() >= powers.size() || FLT_EVAL_METHOD != 0) return std::nullopt;
+    std::uint64_t digits = 0;
+    std::size_t count = 0, before_sign = cell.size();
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        if (is_digit(cell[i])) {
+            digits = 10 * digits + static_cast<std::uint64_t>(cell[i] - '0');
+            ++count;
+        } else if (cell[i] == decimal_sign && before_sign == cell.size()) {
+            before_sign = i;
+        } else {
+            return std::nullopt;
+        }
+    }
+    if (count == 0 || digits > std::uint64_t(1) << 53) return std::nullopt;
+    const double value = static_cast<double>(digits) / powers[count - (std::min)(count, before_sign)];
+    return is_negative ? -value : value;
+}
+
+}  // namespace
+
 std::optional<double> number_in(std::string_view cell, bool decimal_comma) {
+    if (const auto number = short_number(cell, decimal_comma ? ',' : '.')) return number;
     if (decimal_comma && cell.find('.') != std::string_view::npos) return std::nullopt;
     char buffer[64];
     if (cell.size() <= sizeof buffer) {

@@ -23,6 +23,7 @@ namespace fstiff::inline v0_1::io::detail {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_decimal_sign(char c) { return c == '.' || c == ','; }
 
 constexpr std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -112,10 +113,12 @@ class PrintedDigits {
 public:
     /// \p value is what fills \p cell.
     void add(std::string_view cell, double value) {
-        const double last_digit = last_digit_of(cell);
+        const double last_digit = last_digit_of(cell), size = std::abs(value);
+        if (last_digit >= covered_digit_ && size <= covered_size_) return;
+        covered_digit_ = last_digit, covered_size_ = size;
         finest_ = (std::min)(finest_, last_digit);
         if (value == 0) return;
-        const double first_digit = std::floor(std::log10(std::abs(value)));
+        const double first_digit = std::floor(std::log10(size));
         largest_ = (std::max)(largest_, first_digit);
         significant_ = (std::max)(significant_, first_digit - last_digit + 1);
     }
@@ -128,6 +131,7 @@ public:
 private:
     static constexpr double infinite = std::numeric_limits<double>::infinity();
     double finest_ = infinite, largest_ = -infinite, significant_ = 0;
+    double covered_digit_ = infinite, covered_size_ = -1;  // of a number: another one within both changes nothing
 };
 
 }  // namespace fstiff::inline v0_1::io::detail

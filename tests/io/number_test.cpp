@@ -4,6 +4,9 @@
 
 #include "support/catch.hpp"
 
+#include <random>
+#include <vector>
+
 namespace number_test {
 
 using namespace fstiff::io::detail;
@@ -17,6 +20,27 @@ TEST_CASE("a cell is a number when nothing else is in it", "[number]") {
     CHECK(number_in("1e999", false) == std::numeric_limits<double>::infinity());
     for (const char* cell : {"", "1,5", "1 ", "nan", "inf", "0x10", "1e", "--1"}) CHECK_FALSE(number_in(cell, false));
     CHECK_FALSE(number_in("1.5,2", true));
+}
+
+TEST_CASE("numbers of few digits are rounded as std::from_chars rounds them", "[number]") {
+    std::mt19937_64 random(1);
+    std::vector<std::string> cells{"9007199254740992", "9007199254740993", "-0.00", ".5", "5.", "0.3",
+                                   "00000000.1000001"};
+    for (int i = 0; i < 20000; ++i) {
+        std::string digits = std::to_string(random() >> (random() % 60));
+        digits.insert(random() % (digits.size() + 1), ".");
+        cells.push_back((i % 2 == 0 ? "-" : "") + digits);
+    }
+    for (const std::string& cell : cells) {
+        double truth = 0;
+        std::from_chars(cell.data(), cell.data() + cell.size(), truth);
+        const double number = number_in(cell, false).value();
+        if (number != truth || std::signbit(number) != std::signbit(truth)) FAIL(cell);
+        std::string comma = cell;
+        std::replace(comma.begin(), comma.end(), '.', ',');
+        if (number_in(comma, true) != truth) FAIL(comma);
+    }
+    for (const char* cell : {".", "-", "+.", "1..2", "1.2.3", "-+1"}) CHECK_FALSE(number_in(cell, false));
 }
 
 TEST_CASE("the last digit of a number has a power of ten", "[number]") {
@@ -34,6 +58,14 @@ TEST_CASE("a column is printed to decimals or to significant digits, whichever i
     CHECK(decimals.resolution() == 0.01);
     for (const auto& [cell, value] : {std::pair{"0.00125", 0.00125}, {"125", 125.0}}) significant.add(cell, value);
     CHECK(significant.resolution() == 1.0);
+    std::vector<std::pair<const char*, double>> column{
+        {"0.25", 0.25}, {"-10.5", -10.5}, {"0", 0.0}, {"100", 100.0}, {"2.5", 2.5}};
+    std::sort(column.begin(), column.end());
+    do {
+        PrintedDigits digits;
+        for (const auto& [cell, value] : column) digits.add(cell, value);
+        CHECK(digits.resolution() == 1.0);  // 100 has as many significant digits as -10.5
+    } while (std::next_permutation(column.begin(), column.end()));
 }
 
 TEST_CASE("the excerpt of a cell in a message is short and printable", "[number]") {
