@@ -12,7 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstdint>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -39,28 +39,18 @@ struct Nodes {
     double at(std::size_t i) const { return first + step * static_cast<double>(i); }
     /// The numbers of the nodes from \p low to \p high, the second excluded.
     std::pair<std::size_t, std::size_t> between(double low, double high) const {
-        const double from = std::ceil((low - first) / step), to = std::floor((high - first) / step) + 1;
-        const auto bounded = [&](double i) { return std::clamp(i, 0.0, static_cast<double>(count)); };
-        return {static_cast<std::size_t>(bounded(from)), static_cast<std::size_t>(bounded(to))};
+        const auto end = static_cast<double>(count);
+        const double from = std::clamp((low - first) / step, 0.0, end),
+                     to = std::clamp((high - first) / step, -1.0, end - 1);
+        const auto whole = [](double i) { return static_cast<std::int64_t>(i); };  // faster than ceil and floor
+        return {static_cast<std::size_t>(whole(from) + (static_cast<double>(whole(from)) < from)),
+                to < 0 ? 0 : static_cast<std::size_t>(whole(to) + 1)};
     }
 };
 
-/// The offset of the nodes that the positions \p points have in the mean, modulo \p step.
-double phase_of(const TriangleMesh& mesh, std::size_t axis, double step) {
-    double cosine = 0, sine = 0;
-    const double factor = 2 * std::numbers::pi / step;
-    for (const Point& p : mesh.points) {
-        if (!std::isfinite(p[axis])) continue;
-        cosine += std::cos(factor * p[axis]);
-        sine += std::sin(factor * p[axis]);
-    }
-    return std::atan2(sine, cosine) / factor;
-}
-
 Nodes nodes_of(const TriangleMesh& mesh, std::size_t axis, const SurfaceOptions& options) {
     const double step = *options.grid, side = mesh.sides[axis];
-    const double phase =
-        options.grid_origin ? (*options.grid_origin)[axis] - mesh.corner[axis] : phase_of(mesh, axis, step);
+    const double phase = options.grid_origin ? (*options.grid_origin)[axis] - mesh.corner[axis] : mesh.phase[axis];
     const double first = phase - step * std::floor(phase / step + slack);
     return {first, step, static_cast<std::size_t>((std::max)(0.0, std::floor((side - first) / step + slack) + 1))};
 }
@@ -68,23 +58,22 @@ Nodes nodes_of(const TriangleMesh& mesh, std::size_t axis, const SurfaceOptions&
 /// Gives the nodes in the triangles, or up to \p margin outside of them, their heights. Of two faces the upper one
 /// counts; with a margin, nodes that have a height keep it.
 void draw(const TriangleMesh& mesh, const Nodes& xs, const Nodes& ys, double margin, std::vector<double>& heights) {
-    const auto lacks_some = [&](const Point& a, const Point& b, const Point& c, std::size_t row, std::size_t last_row) {
-        const auto [x_low, x_high] = std::minmax({a[0], b[0], c[0]});
-        const auto [column, last_column] = xs.between(x_low - margin, x_high + margin);
+    // whether a node near a triangle from x_low to x_high, in these rows, may get a height
+    const auto may_give = [&](double x_low, double x_high, std::size_t row, std::size_t last_row) {
+        const auto [column, last_column] = xs.between(x_low - slack * xs.step, x_high + slack * xs.step);
         for (std::size_t j = row; j < last_row; ++j)
             for (std::size_t i = column; i < last_column; ++i)
-                if (std::isnan(heights[j * xs.count + i])) return true;
+                if (margin == 0 || std::isnan(heights[j * xs.count + i])) return true;
         return false;
     };
     for (const Triangle& triangle : mesh.triangles) {
-        const Point* const corners[] = {&mesh.points[triangle[0]], &mesh.points[triangle[1]],
-                                        &mesh.points[triangle[2]]};
-        const auto [a, b, c] = std::array{*corners[0], *corners[1], *corners[2]};
+        const Point &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]], &c = mesh.points[triangle[2]];
+        const auto low_of = [&](std::size_t k) { return (std::min)((std::min)(a[k], b[k]), c[k]); };
+        const auto high_of = [&](std::size_t k) { return (std::max)((std::max)(a[k], b[k]), c[k]); };
+        const auto [row, last_row] = ys.between(low_of(1) - margin, high_of(1) + margin);
+        if (!may_give(low_of(0), high_of(0), row, last_row)) continue;
+        const Point* const corners[] = {&a, &b, &c};
         const double area = doubled_area(a, b, c);
-        const auto [y_low, y_high] = std::minmax({a[1], b[1], c[1]});
-        const auto [z_low, z_high] = std::minmax({a[2], b[2], c[2]});
-        const auto [row, last_row] = ys.between(y_low - margin, y_high + margin);
-        if (margin > 0 && !lacks_some(a, b, c, row, last_row)) continue;
         for (std::size_t j = row; j < last_row; ++j) {
             const double y = ys.at(j);
             double low = -std::numeric_limits<double>::infinity(), high = -low;
@@ -107,7 +96,7 @@ void draw(const TriangleMesh& mesh, const Nodes& xs, const Nodes& ys, double mar
                 if (margin > 0 && !std::isnan(height)) continue;
                 const double z =
                     a[2] + doubled_area(a, p, c) / area * (b[2] - a[2]) + doubled_area(a, b, p) / area * (c[2] - a[2]);
-                if (!(height >= z)) height = margin > 0 ? std::clamp(z, z_low, z_high) : z;
+                if (!(height >= z)) height = margin > 0 ? std::clamp(z, low_of(2), high_of(2)) : z;
             }
         }
     }
@@ -263,7 +252,7 @@ void require_step(const TriangleMesh& mesh, double step, const std::string& name
 
 RawMap gridded(PointCloud cloud, const std::string& name, const SurfaceOptions& options, Record& record) {
     fstiff::detail::located({.file = name}, [&] { fstiff::detail::require_positive("grid", *options.grid); });
-    const TriangleMesh mesh = mesh_of(std::move(cloud), name);
+    const TriangleMesh mesh = mesh_of(std::move(cloud), name, options.grid_origin ? 0 : *options.grid);
     require_step(mesh, *options.grid, name);
     const Nodes xs = nodes_of(mesh, 0, options), ys = nodes_of(mesh, 1, options);
     RawMap map;

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+#include <limits>
+#include <numbers>
 
 namespace fstiff::inline v0_1::io::detail {
 
@@ -48,28 +50,33 @@ void triangulate(TriangleMesh& mesh, const std::string& name) {
     const double side = (std::max)(mesh.sides[0], mesh.sides[1]);
     struct Placed {
         GridPoint at;
-        Point point;
+        std::uint32_t index;
+        std::uint64_t order() const { return std::uint64_t(at.x) << 32 | std::uint64_t(at.y); }
     };
     std::vector<Placed> placed;
     placed.reserve(mesh.points.size());
     const auto on_grid = [&](double x) {
         return static_cast<std::int32_t>(std::lround(x / side * most_grid_position));
     };
-    for (const Point& p : mesh.points) placed.push_back({{on_grid(p[0]), on_grid(p[1])}, p});
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-        return a.at.x != b.at.x ? a.at.x < b.at.x : a.at.y != b.at.y ? a.at.y < b.at.y : a.point < b.point;
+    for (const Point& p : mesh.points)
+        placed.push_back({{on_grid(p[0]), on_grid(p[1])}, static_cast<std::uint32_t>(placed.size())});
+    std::sort(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
+        return a.order() != b.order() ? a.order() < b.order() : mesh.points[a.index] < mesh.points[b.index];
     });
     std::vector<GridPoint> positions;
     std::vector<Point> points;
+    positions.reserve(placed.size()), points.reserve(placed.size());
     std::size_t contradicting = 0;
     for (std::size_t i = 0, end = 0; i < placed.size(); i = end) {
         double sum = 0;
+        const Point& first = mesh.points[placed[i].index];
         for (end = i; end < placed.size() && placed[end].at == placed[i].at; ++end) {
-            sum += placed[end].point[2];
-            contradicting += placed[end].point[2] != placed[i].point[2];
+            const double z = mesh.points[placed[end].index][2];
+            sum += z;
+            contradicting += z != first[2];
         }
         positions.push_back(placed[i].at);
-        points.push_back(placed[i].point);
+        points.push_back(first);
         if (end > i + 1) points.back()[2] = sum / static_cast<double>(end - i);
     }
     mesh.repeated = placed.size() - points.size();
@@ -98,6 +105,37 @@ void take_faces(const std::vector<Triangle>& faces, TriangleMesh& mesh, const st
         refuse_file(name, {"is no field of heights: ", percent(mesh.turned_over),
                            " of its faces, by their area in x and y, lie over or under others; must be one face, "
                            "without the sides and the back of the body, with z along its height"});
+}
+
+/// The offset that the positions have in the mean, modulo \p step.
+double phase_of(const TriangleMesh& mesh, std::size_t axis, double step) {
+    double cosine = 0, sine = 0;
+    const double factor = 2 * std::numbers::pi / step;
+    for (const Point& p : mesh.points) {
+        if (!std::isfinite(p[axis])) continue;
+        cosine += std::cos(factor * p[axis]);
+        sine += std::sin(factor * p[axis]);
+    }
+    return std::atan2(sine, cosine) / factor;
+}
+
+/// Numbers the points in the order in which the triangles use them, those that none uses last.
+void order_points(TriangleMesh& mesh) {
+    constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> numbers(mesh.points.size(), none);
+    std::vector<Point> points;
+    points.reserve(mesh.points.size());
+    const auto number = [&](std::uint32_t i) {
+        if (numbers[i] == none) {
+            numbers[i] = static_cast<std::uint32_t>(points.size());
+            points.push_back(mesh.points[i]);
+        }
+        return numbers[i];
+    };
+    for (Triangle& triangle : mesh.triangles)
+        for (std::uint32_t& corner : triangle) corner = number(corner);
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) number(i);
+    mesh.points = std::move(points);
 }
 
 /// The square of the length in x and y of edge \p k of \p triangle.
@@ -144,7 +182,7 @@ void check_triangles(TriangleMesh& mesh, const std::string& name) {
 
 }  // namespace
 
-TriangleMesh mesh_of(PointCloud cloud, const std::string& name) {
+TriangleMesh mesh_of(PointCloud cloud, const std::string& name, double step) {
     TriangleMesh mesh;
     take_points(cloud, mesh);
     if (mesh.points.size() < 3)
@@ -156,6 +194,8 @@ TriangleMesh mesh_of(PointCloud cloud, const std::string& name) {
     else
         take_faces(cloud.faces, mesh, name);
     if (mesh.triangles.empty()) refuse_file(name, {"has x and y on one line; must be points of an area"});
+    for (std::size_t k = 0; k < 2 && step > 0; ++k) mesh.phase[k] = phase_of(mesh, k, step);
+    order_points(mesh);
     mesh.spacing = median_edge(mesh);
     check_triangles(mesh, name);
     return mesh;

@@ -11,10 +11,11 @@
 namespace fstiff::inline v0_1::io::detail {
 
 struct TriangleMesh {
-    std::vector<std::array<double, 3>> points;  ///< from the corner of least x and y
+    std::vector<std::array<double, 3>> points;  ///< from the corner of least x and y; near ones are near in memory
     std::vector<Triangle> triangles;            ///< counterclockwise, none bridges a hole
     std::array<double, 2> corner{};
     std::array<double, 2> sides{};  ///< from there to the greatest x and y
+    std::array<double, 2> phase{};  ///< mean offset of the points in x and y, modulo the step of mesh_of
     double spacing{};               ///< median length of the edges in x and y
     bool triangulated{};            ///< by Delaunay
     std::size_t repeated{};         ///< points with the x and y of another one, which are one now
@@ -28,8 +29,9 @@ struct TriangleMesh {
 [[nodiscard]] Reading map_of_mesh(PointCloud cloud, const std::string& form, std::uint32_t first,
                                   const std::string& name, const SurfaceOptions& options);
 
-/// \throws domain_error for points on one line and for what is no field of heights.
-[[nodiscard]] TriangleMesh mesh_of(PointCloud cloud, const std::string& name);
+/// \p step [m] is that of the phase; 0: none. \throws domain_error for points on one line and for what is no field of
+/// heights.
+[[nodiscard]] TriangleMesh mesh_of(PointCloud cloud, const std::string& name, double step = 0);
 
 /// Twice the area of a triangle in x and y.
 [[nodiscard]] inline double doubled_area(const std::array<double, 3>& a, const std::array<double, 3>& b,

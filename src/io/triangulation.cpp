@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -32,44 +31,61 @@ bool is_positive(const std::array<std::int64_t, 3>& a, const std::array<std::int
 
 /// Whether \p d is inside of the circle through a, b, c, which turn left.
 bool in_circle(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& d) {
-    const auto square = [&](const GridPoint& p) {
-        const std::int64_t x = p.x - d.x, y = p.y - d.y;
-        return x * x + y * y;
+    struct Offset {  // from d; whole numbers up to 2^26, whose squares and products are exact
+        double x, y;
     };
-    const std::array<std::int64_t, 3> lift{square(a), square(b), square(c)},
-        minor{turn(b, c, d), turn(c, a, d), turn(a, b, d)};
+    const auto offset = [&](const GridPoint& p) {
+        return Offset{static_cast<double>(p.x - d.x), static_cast<double>(p.y - d.y)};
+    };
+    const Offset from_d[] = {offset(a), offset(b), offset(c)};
+    std::array<double, 3> lift{}, minor{};  // at most 2^53
     double sum = 0, bound = 0;
-    for (std::size_t i = 0; i < 3; ++i) {  // the factors are exact: at most 2^53
-        const double term = static_cast<double>(lift[i]) * static_cast<double>(minor[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Offset &p = from_d[i], &q = from_d[(i + 1) % 3], &r = from_d[(i + 2) % 3];
+        lift[i] = p.x * p.x + p.y * p.y;
+        minor[i] = q.x * r.y - q.y * r.x;
+        const double term = lift[i] * minor[i];
         sum += term;
         bound += std::abs(term);
     }
-    return std::abs(sum) > 1e-15 * bound ? sum > 0 : is_positive(lift, minor);
+    if (std::abs(sum) > 1e-15 * bound) return sum > 0;
+    const auto whole = [](const std::array<double, 3>& numbers) {
+        return std::array{static_cast<std::int64_t>(numbers[0]), static_cast<std::int64_t>(numbers[1]),
+                          static_cast<std::int64_t>(numbers[2])};
+    };
+    return is_positive(whole(lift), whole(minor));
 }
 
-/// The order along x, then y; along y, then -x, which is the same after a quarter turn.
-bool is_before(const GridPoint& a, const GridPoint& b, bool along_y) {
-    return along_y ? std::pair(a.y, -a.x) < std::pair(b.y, -b.x) : std::pair(a.x, a.y) < std::pair(b.x, b.y);
-}
+/// A point, and its place among those that were given.
+struct Site : GridPoint {
+    std::uint32_t index{};
+};
+
+/// The orders along x, then y; along y, then -x, which is the same after a quarter turn.
+std::uint64_t order_x(const GridPoint& p) { return std::uint64_t(p.x) << 32 | std::uint64_t(p.y); }
+std::uint64_t order_y(const GridPoint& p) { return std::uint64_t(p.y) << 32 | std::uint64_t(most_grid_position - p.x); }
 
 /// Directed edges around their points; edge e and its reverse e ^ 1.
 class Triangulator {
 public:
-    explicit Triangulator(const std::vector<GridPoint>& points) : points_(points), order_(points.size()) {
-        std::iota(order_.begin(), order_.end(), 0u);
+    explicit Triangulator(const std::vector<GridPoint>& points) : spare_(points.size() + 1), keys_(points.size()) {
+        sites_.reserve(points.size());
+        for (const GridPoint& point : points) sites_.push_back({point, static_cast<std::uint32_t>(sites_.size())});
+        const auto before = [](const Site& a, const Site& b) { return order_x(a) < order_x(b); };
+        if (!std::is_sorted(sites_.begin(), sites_.end(), before)) std::sort(sites_.begin(), sites_.end(), before);
         edges_.reserve(6 * points.size());
     }
 
     std::vector<Triangle> triangles() {
         std::vector<Triangle> found;
-        if (points_.size() < 3) return found;
-        divide(0, points_.size(), false);
-        found.reserve(2 * points_.size());
+        if (sites_.size() < 3) return found;
+        divide(0, sites_.size(), false);
+        found.reserve(2 * sites_.size());
         for (Edge e = 0; e < edges_.size(); ++e) {
-            if (edges_[e].deleted) continue;
+            if (edges_[e].from == none) continue;
             const Edge f = left_next(e), g = left_next(f);
             if (e < f && e < g && left_next(g) == e && turn(from(e), from(f), from(g)) > 0)
-                found.push_back({edges_[e].from, edges_[f].from, edges_[g].from});
+                found.push_back({index(e), index(f), index(g)});
         }
         return found;
     }
@@ -77,16 +93,16 @@ public:
 private:
     using Edge = std::uint32_t;
     struct Links {
-        std::uint32_t from{};  ///< a point
+        std::uint32_t from{};  ///< of the sites; none of a deleted edge
         Edge next{}, last{};   ///< counterclockwise and clockwise around it
-        bool deleted = false;
     };
     /// Edges of a hull: counterclockwise out of its first point, clockwise out of its last one.
     struct Hull {
         Edge first, last;
     };
 
-    const GridPoint& from(Edge e) const { return points_[edges_[e].from]; }
+    const GridPoint& from(Edge e) const { return sites_[edges_[e].from]; }
+    std::uint32_t index(Edge e) const { return sites_[edges_[e].from].index; }
     const GridPoint& to(Edge e) const { return from(e ^ 1); }
     Edge next(Edge e) const { return edges_[e].next; }
     Edge last(Edge e) const { return edges_[e].last; }
@@ -123,33 +139,47 @@ private:
     void remove(Edge e) {
         splice(e, last(e));
         splice(e ^ 1, last(e ^ 1));
-        edges_[e].deleted = edges_[e ^ 1].deleted = true;
+        edges_[e].from = edges_[e ^ 1].from = none;
         const Edge even = e & ~Edge(1);
         edges_[even].next = free_;
         free_ = even;
     }
 
-    /// Triangulates the points from \p begin to \p end of order_, halved along \p along_y.
+    /// Triangulates the sites from \p begin to \p end, which are in the order of x, halved along \p along_y. Sites that
+    /// are near one another end up so in memory.
     Hull divide(std::size_t begin, std::size_t end, bool along_y) {
-        const auto before = [&](std::uint32_t a, std::uint32_t b) {
-            return is_before(points_[a], points_[b], along_y);
-        };
-        const auto place = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
         if (end - begin <= 3) {
-            std::sort(place(begin), place(end), before);
+            if (along_y)
+                std::sort(&sites_[begin], sites_.data() + end,
+                          [](const Site& a, const Site& b) { return order_y(a) < order_y(b); });
             return few(begin, end);
         }
         const std::size_t middle = begin + (end - begin) / 2;
-        std::nth_element(place(begin), place(middle), place(end), before);
+        if (along_y) part(begin, middle, end);
         Hull low = divide(begin, middle, !along_y), high = divide(middle, end, !along_y);
         low = turned(low, along_y), high = turned(high, along_y);
         return merge(low, high);
     }
 
+    /// Moves the sites that are first along y before \p middle; both parts stay in the order of x.
+    void part(std::size_t begin, std::size_t middle, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) keys_[i] = order_y(sites_[i]);
+        std::nth_element(&keys_[begin], &keys_[middle], keys_.data() + end);
+        std::size_t low = begin, high = middle;
+        for (std::size_t i = begin; i < end; ++i) {  // without branches, which would be random
+            const Site site = sites_[i];
+            const bool is_low = order_y(site) < keys_[middle];
+            sites_[low] = spare_[high] = site;
+            low += is_low, high += !is_low;
+        }
+        std::copy_n(&spare_[middle], end - middle, &sites_[middle]);
+    }
+
     Hull few(std::size_t begin, std::size_t end) {
-        const Edge a = make(order_[begin], order_[begin + 1]);
+        const auto site = static_cast<std::uint32_t>(begin);
+        const Edge a = make(site, site + 1);
         if (end - begin == 2) return {a, a ^ 1};
-        const Edge b = make(order_[begin + 1], order_[begin + 2]);
+        const Edge b = make(site + 1, site + 2);
         splice(a ^ 1, b);
         const std::int64_t side = turn(from(a), from(b), to(b));
         if (side == 0) return {a, b ^ 1};
@@ -159,11 +189,12 @@ private:
 
     /// The edges of the same hull at its first and last points along \p along_y.
     Hull turned(const Hull& hull, bool along_y) const {
+        const auto order = [&](const GridPoint& p) { return along_y ? order_y(p) : order_x(p); };
         Hull found{hull.first, hull.first ^ 1};
         Edge e = hull.first;
         do {
-            if (is_before(from(e), from(found.first), along_y)) found.first = e;
-            if (is_before(from(found.last), to(e), along_y)) found.last = e ^ 1;
+            if (order(from(e)) < order(from(found.first))) found.first = e;
+            if (order(from(found.last)) < order(to(e))) found.last = e ^ 1;
             e = right_next(e);
         } while (e != hull.first);
         return found;
@@ -201,8 +232,8 @@ private:
     }
 
     static constexpr Edge none = ~Edge(0);
-    const std::vector<GridPoint>& points_;
-    std::vector<std::uint32_t> order_;
+    std::vector<Site> sites_, spare_;
+    std::vector<std::uint64_t> keys_;
     std::vector<Links> edges_;
     Edge free_ = none;
 };
