@@ -265,14 +265,20 @@ private:
 
     /// How messages call the units that are to be given: those that are known by their names.
     std::string asked() const {
-        return columns_.size() == 1 ? "\"UNIT\"" : pair_of_units(columns_[1].unit.name, columns_[0].unit.name);
+        if (columns_.size() > 1) return pair_of_units(columns_[1].unit.name, columns_[0].unit.name);
+        return lacks_unit_of_length() ? pair_of_units("", "") : "\"UNIT\"";
+    }
+    /// Whether the header of a map states a length without a unit, which the options may give.
+    bool lacks_unit_of_length() const {
+        return !is_profile_ && !stated_grid(table_.entries, "", name_).without_unit.empty();
     }
 
     void require_unit(const Column& column) const {
         if (!column.unit.name.empty()) return;
-        const std::string each = columns_.size() == 1 ? ", "
-                                 : is_profile_        ? " (positions, heights), each "
-                                                      : " (x and y, heights), each ";
+        const std::string each = lacks_unit_of_length() ? " (lengths, heights), each "
+                                 : columns_.size() == 1 ? ", "
+                                 : is_profile_          ? " (positions, heights), each "
+                                                        : " (x and y, heights), each ";
         const std::string must = "must be " + given_as(options_.names, "units", asked()) + each + "one of " +
                                  accepted_units(Dimension::length);
         const auto refuse = [&](std::size_t number, std::string_view unit) {

@@ -47,6 +47,7 @@ TEST_CASE("A binary file is named by its first bytes with a way to convert it") 
                                                           {"P2\n2 2\n255\n1 2\n3 4\n", "PGM"},
                                                           {"{\\rtf1\\ansi 1 2 3}", ".rtf"},
                                                           {"solid plate\nfacet normal 0 0 1\n", ".stl"},
+                                                          {"# vtk DataFile Version 3.0\nz\nASCII\n1 2\n3 4\n", ".vtk"},
                                                           {stl, ".stl"},
                                                           {"KPK1\0"s, ".zon"},
                                                           {"OmniSurf3D\0"s, ".os3d"},

@@ -48,6 +48,8 @@ TEST_CASE("Columns of words are left out, wherever they are and whatever separat
             {"names", "name" + s + "x[um]" + s + "z[um]\n" + rows(names + s + "{x}" + s + "{z}\n"),
              um({"\nread as: heights [um] in column 3, positions [um] in column 2; separator: ",
                  "; column 1 of words not used\n"})},
+            {"clock times first", "t" + s + "x[um]" + s + "z[um]\n" + rows("10:00:{i}.5" + s + "{x}" + s + "{z}\n"),
+             um()},
             {"stamps last", "x[um]" + s + "z[um]" + s + "t\n" + rows("{x}" + s + "{z}" + s + stamp + "\n"), um()},
             {"words on both sides",
              "n" + s + "x[um]" + s + "q" + s + "z[um]" + s + "r\n" +
@@ -86,6 +88,7 @@ TEST_CASE("What may be a number is no word") {
     check({
         {"units in the cells", titles + rows("{x} um;{z} um\n"),
          refused("line 2: \"0.0 um\" has its unit in the cell")},
+        {"glued units", "x;z\n" + rows("{x}mm;{z}um\n"), refused("line 2: \"0.0mm\" has its unit in the cell")},
         {"between commas", "x,z\n" + rows("{x} um,{z} um\n"), refused("line 2: \"0.0 um\" has its unit in the cell")},
         {"faces of a mesh", rows("f {i} 2 3\n"), refused("\"f 0 2 3\""), {.units = "um"}},
         {"a unit in one cell", titles + rows("{x} um;{z}\n"), refused("\"")},
@@ -94,9 +97,9 @@ TEST_CASE("What may be a number is no word") {
 }
 
 TEST_CASE("Lines after the rows are no rows") {
-    for (const std::string end :
-         {"EOF\n", "Ra;0.48\nRq;0.61\n", "Mean;;1.2\n", "\n[End]\n", "**end cloud\n", "20 points\n",
-          "\nRa [um];Rq [um]\n0.48;0.61\n", "-----\nRa = 0.4 um\n", "\x1A", "\r\n\x1A\x1A\n", "# done\nEND\n"}) {
+    for (const std::string end : {"EOF\n", "Ra;0.48\nRq;0.61\n", "Mean;;1.2\n", "\n[End]\n", "**end cloud\n",
+                                  "20 points\n", "\nRa [um];Rq [um]\n0.48;0.61\n", "-----\nRa = 0.4 um\n",
+                                  "(20 rows)\n", "\x1A", "\r\n\x1A\x1A\n", "# done\nEND\n"}) {
         CAPTURE(end);
         check({{"footer", plain + end, um()}});
     }
@@ -110,6 +113,12 @@ TEST_CASE("Lines after the rows are no rows") {
          {.dx = 1e-6, .size = 25, .rows = 5, .missing = {20, 21, 22, 23, 24}}},
         {"noted", plain + "EOF\nRa;0.4\n", um({"; 2 lines after the rows not used (\"EOF\")\n"})},
         {"with names", "n;x [um];z [um]\n" + rows("P{i};{x};{z}\n") + "Mean;4.75;0.6\nmax;9.5;1.6\n", um()},
+        {"results below a blank line", "t,x [um],z [um]\n" + rows("T{i},{x},{z}\n") + "\nRa,0.48\nRq,0.61\nRz,3.1\n",
+         um()},
+        {"a count next to words",
+         "status z[um]\n" + rows("ok {z}\n") + "Points: 20\n",
+         {.dx = 0.5e-6, .unit = 1e-6},
+         {.spacing = 0.5e-6}},
         {"matrix", "Width: 5 um\nHeight: 4 um\nunit: um\n" + matrix(" ") + "EOF\n", map(1e-6, 1e-6, 1e-6)},
         // rows that do not read as the others do are refused, also at the end
         {"a torn row", plain + "10.0;0.4x\n", refused("line 22: \"0.4x\"")},
@@ -231,6 +240,11 @@ TEST_CASE("Columns that hold neither positions nor heights are left out by their
         {"quality", "x [um];z [um];Quality\n" + rows("{x};{z};{i}\n"), um({"column 3 not used"})},
         {"errors", "x [um];z [um];dz [um]\n" + rows("{x};{z};0.{i}\n"), um()},
         {"one y", "x [um];y [um];z [um]\n" + rows("{x};2.5;{z}\n"), um({"column 2 not used"})},
+        {"quality next to heights",
+         "z [um];Quality\n" + rows("{z};{i}\n"),
+         {.dx = 0.5e-6, .unit = 1e-6},
+         {.spacing = 0.5e-6}},
+        {"forces are no heights", "x [um];F [N]\n" + rows("{x};{z}\n"), refused("in \"N\", which is of no length")},
         {"two traces", "x [um];z1 [um];z2 [um]\n" + rows("{x};{z};{z}\n"), refused("format = profile with column")},
         {"z, x, y", "z [um];x [um];y [um]\n" + triples("{z};{i};{j}\n"), map(1e-6, 1e-6, 1e-6)},
         {"pixels and lengths", "i;j;x [um];y [um];z [um]\n" + triples("{i};{j};{i};{j}.0;{z}\n"),

@@ -23,6 +23,8 @@ TEST_CASE("Units are understood in capitals, other languages and powers of ten",
         {"Chinese", "x [\xE3\x8E\x9C];z [\xE5\xBE\xAE\xE7\xB1\xB3]\n" + points, profile(0.5e-3, 1e-6)},
         {"a power of ten", "x (um);z (10^-6 m)\n" + points, profile(0.5e-6, 1e-6)},
         {"given", points, profile(0.5e-6, 1e-8), {.units = "um,10 nm"}},
+        {"after a number of the column", "x1_mm;z1_nm\n" + points, profile(0.5e-3, 1e-9)},
+        {"inches", "x / in;z [um]\n" + points, profile(0.5 * 25.4e-3, 1e-6)},
         {"a cut-off is no unit", "x [um];R (0.1 mm)\n" + points, refused("")},
     });
     for (const std::string unit : {"x10 nm", "10 nm", "x 10nm", "\xC3\x97\x31\x30 nm", "10^-8 m", "1e-8 m", "0.01 um",
@@ -45,6 +47,15 @@ TEST_CASE("A factor next to a unit is never dropped", "[units]") {
         {"needed", nova + "Scale Data = 10\nDataScaleNeeded = yes\n" + tabs, map(0.1e-6, 0.2e-6, 1e-8)},
         {"not needed", nova + "Scale Data = 10\nDataScaleNeeded = no\n" + tabs, map(0.1e-6, 0.2e-6, 1e-9)},
     });
+}
+
+TEST_CASE("A key and its value are no titles", "[units]") {
+    const std::string blanks = rows("{x} 2.5 {z}\n"), head = "x-unit: mm\nz-unit: nm\n";
+    for (const std::string& line : {"Stylus radius=2 um\n", "Stylus radius: 2 um\n", "Speed = 0,5 mm/s\n"})
+        check_texts({{"above", line + head + blanks, profile(0.5e-3, 1e-9)},
+                     {"below", head + line + blanks, profile(0.5e-3, 1e-9)}});
+    check_texts({{"z before x", "# x-unit: mm\n# z-unit: nm\n" + rows("{z} {x}\n"), profile(0.5e-3, 1e-9)},
+                 {"no unit", "Radius=2 um\nx z\n" + rows("{x} {z}\n"), refused("\"UNIT,UNIT\"")}});
 }
 
 TEST_CASE("A unit that is not understood is named", "[units]") {
