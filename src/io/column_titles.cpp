@@ -218,13 +218,16 @@ public:
 
     std::vector<ColumnTitle> titles() {
         for (std::size_t i = table_.first; i-- > 0 && own_ < 2;) {
-            const std::size_t number = table_.lines[i].number;
-            if (is_cut_as_rows(table_.lines[i].text)) {
-                ++own_;
-                for (std::size_t c = 0; c < cells_.size(); ++c) add(titles_[c], title_of(cells_[c]), number);
-            } else if (written_ == 2 || !is_cut_otherwise(table_.lines[i].text)) {
+            const std::string_view text = table_.lines[i].text;
+            const bool as_rows = is_cut_as_rows(text);
+            if (!as_rows && (written_ == 2 || !is_cut_otherwise(text))) continue;
+            if (as_rows) ++own_;
+            if (as_rows && table_.columns > 1 && is_key_and_unit(text)) {
+                ++written_;  // no title, but what is above is as far away as above one
                 continue;
             }
+            const std::size_t number = table_.lines[i].number;
+            for (std::size_t c = 0; as_rows && c < cells_.size(); ++c) add(titles_[c], title_of(cells_[c]), number);
             if (++written_ > 2) continue;
             for (std::size_t c = 0; c < cells_.size(); ++c) {
                 titles_[c].text = std::string(cells_[c]) + (written_ > 1 ? " " + titles_[c].text : "");
@@ -238,8 +241,7 @@ private:
     /// Whether the cells are titles, where \p lines of titles are below them: a line above may be a key and its value,
     /// "Objective:;20X".
     bool are_titles(std::string_view line, int lines) const {
-        if (cells_.size() != table_.columns) return false;
-        if (table_.columns == 1 ? is_key_and_number(line) : is_key_and_unit(line)) return false;
+        if (cells_.size() != table_.columns || (table_.columns == 1 && is_key_and_number(line))) return false;
         return std::none_of(cells_.begin(), cells_.end(), [&](std::string_view cell) {
             return number_in(cell, table_.dialect.decimal_comma) ||
                    (lines > 0 && !cell.empty() && is_digit(cell.front()));

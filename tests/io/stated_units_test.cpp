@@ -88,6 +88,8 @@ TEST_CASE("The header states units of the axes and the heights, which must agree
         {"two in a title", "x [um];z [um] (nm)\n" + points, refused("which is not understood")},
         {"that of the positions", "Unit;mm\nx [mm];z [um]\n" + points, mm_um},
         {"keys of columns in another order", "# x-unit: mm\n# z-unit: um\n" + rows("{z} {x}\n"), mm_um},
+        {"what is above keys is no title", "Date = today\n# x-unit = mm\n# z-unit = um\n" + rows("{x} 0.{i} {z}\n"),
+         refused("has 3 columns")},
         {"a radius is no title", "Stylus radius=2 nm\nx-unit=mm\nz-unit=um\n" + rows("{x} 0 {z}\n"), mm_um},
         {"another spelling", "# Z unit: \xC2\xB5m\nx [mm];z [um]\n" + points, mm_um},
     });
