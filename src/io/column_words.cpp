@@ -134,4 +134,11 @@ bool names_height(std::string_view name) {
     return begins_with_word(name, words) && !name.ends_with("position");
 }
 
+bool names_pixel(std::string_view name) {
+    static constexpr std::array<std::string_view, 17> words{"col",     "column",  "row",     "line", "pixel", "pixels",
+                                                            "px",      "ix",      "iy",      "i",    "j",     "pixel x",
+                                                            "pixel y", "x pixel", "y pixel", "x px", "y px"};
+    return std::find(words.begin(), words.end(), name) != words.end();
+}
+
 }  // namespace fstiff::inline v0_1::io::detail

@@ -25,4 +25,7 @@ bool names_neither(std::string_view name);
 /// Whether it holds the errors of another.
 bool names_error(std::string_view name);
 
+/// Whether it counts pixels.
+bool names_pixel(std::string_view name);
+
 }  // namespace fstiff::inline v0_1::io::detail

@@ -109,82 +109,107 @@ double require_number(const std::optional<double>& number, std::string_view cell
     return *number;
 }
 
-/// A separator at the end of every line makes no column.
-void drop_last_column(NumberTable& table) {
-    const std::size_t old = table.columns--;
-    for (std::size_t r = 1; r < table.rows(); ++r)
-        std::copy_n(table.values.data() + r * old, table.columns, table.values.data() + r * table.columns);
-    table.values.resize(table.rows() * table.columns);
-}
+/// Reads the rows of a table, with what their cells show of digits and signs.
+class RowReader {
+public:
+    RowReader(NumberTable& table, const std::string& name, RowEnds ends)
+        : table_(table), name_(name), may_be_short_(ends == RowEnds::may_be_short) {}
+
+    void read() {
+        const Line& first = table_.lines[table_.first];
+        split(first);
+        const std::size_t shown = table_.columns;
+        table_.columns = may_be_short_ ? widest_row(table_) : cells_.size();
+        if (may_be_short_ && table_.columns > max_short_row_columns)
+            refuse_line(name_, first.number,
+                        {"has ", table_.columns, " columns; must be at most ", max_short_row_columns});
+        prepare(first);
+        for (std::size_t i = table_.first; i < table_.lines.size(); ++i)
+            if (i == table_.first || !is_comment(table_.lines[i].text)) read(table_.lines[i]);
+        if (!may_be_short_ && last_cells_ == 0 && shown < table_.columns && table_.columns > 1) drop_last_column();
+        refuse_double_comma(table_, name_);
+        refuse_split_thousands(table_, name_);
+    }
+
+private:
+    void split(const Line& line) {
+        (may_be_short_ ? split_line : split_row)(without_comment(line.text), table_.dialect.separator, cells_);
+    }
+
+    void prepare(const Line& first) {
+        table_.wholes.resize(table_.columns);
+        table_.signs.resize(table_.columns);
+        table_.printed.resize(may_be_short_ ? table_.columns : std::min<std::size_t>(table_.columns, 16));
+        text_.assign(table_.columns, '?');
+        const std::string_view last = table_.lines.back().text;
+        const auto bytes = static_cast<std::size_t>(last.data() + last.size() - first.text.data());
+        const std::size_t rows = table_.lines.size() - table_.first;
+        table_.values.reserve((std::min)(rows * table_.columns, bytes + rows));  // a cell, or its separator, is a byte
+    }
+
+    void read(const Line& line) {
+        const char separator = table_.dialect.separator;
+        split(line);
+        if (cells_.empty()) return;
+        // with blanks between them, an empty cell cannot be seen
+        const bool padded = may_be_short_ && separator != ' ' && cells_.size() < table_.columns;
+        const bool whole = padded || cells_.size() == table_.columns;
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+            if (const double value = number(c, line.number, whole); whole) table_.values.push_back(value);
+        if (!whole)
+            refuse_line(name_, line.number,
+                        {"has ", cells_.size(), " columns; must be ", table_.columns, " as in line ",
+                         table_.lines[table_.first].number,
+                         separator == ',' && cells_.size() > 1 ? without_points(table_) : ""});
+        if (!cells_.back().empty()) ++last_cells_;
+        cells_.resize(table_.columns);
+        for (std::size_t c = 0; c < table_.columns && (separator == ' ' || separator == ','); ++c)
+            table_.signs[c].add_pair(c > 0 ? cells_[c - 1] : "", cells_[c], separator, line.number);
+        table_.row_lines.push_back(line.number);
+        table_.values.resize(table_.rows() * table_.columns, std::numeric_limits<double>::quiet_NaN());
+    }
+
+    /// The number in column \p c; NaN where it is missing. A row that is not \p whole is refused and shows nothing.
+    double number(std::size_t c, std::size_t line, bool whole) {
+        const std::string_view cell = cells_[c];
+        const auto number = number_in(cell, table_.dialect.decimal_comma);
+        if (!number && (cell.empty() || is_missing_word(cell) || table_.missing.has_word(cell) || holds_words(c)))
+            return std::numeric_limits<double>::quiet_NaN();
+        const double value = require_number(number, cell, table_, line, name_);
+        if (!whole || table_.missing.has(value)) return value;
+        table_.wholes[c].add(cell, value);
+        if (c < table_.printed.size()) table_.printed[c].add(cell, value);
+        if (table_.thousands.empty()) table_.signs[c].add(cell, value, line, table_.dialect.decimal_comma ? "," : ".");
+        return value;
+    }
+
+    /// Whether column \p c holds words, or has some next to rows that have nothing there.
+    bool holds_words(std::size_t c) {
+        if (c < table_.words.size() && table_.words[c]) return true;
+        if (!may_be_short_ || table_.dialect.separator == ' ' || c >= text_.size()) return false;
+        if (text_[c] == '?') text_[c] = is_text_column(table_, c) ? 'y' : 'n';
+        return text_[c] == 'y';
+    }
+
+    /// A separator at the end of every line makes no column.
+    void drop_last_column() {
+        const std::size_t old = table_.columns--;
+        for (std::size_t r = 1; r < table_.rows(); ++r)
+            std::copy_n(table_.values.data() + r * old, table_.columns, table_.values.data() + r * table_.columns);
+        table_.values.resize(table_.rows() * table_.columns);
+    }
+
+    NumberTable& table_;
+    const std::string& name_;
+    const bool may_be_short_;
+    std::vector<std::string_view> cells_{};
+    std::size_t last_cells_ = 0;  // rows with something in their last cell
+    std::vector<char> text_{};    // whether a column is one; '?' until it is sought
+};
 
 }  // namespace
 
-void read_rows(NumberTable& table, const std::string& name, RowEnds ends) {
-    const char separator = table.dialect.separator;
-    const bool may_be_short = ends == RowEnds::may_be_short, may_be_thousands = table.thousands.empty();
-    const std::string_view sign = table.dialect.decimal_comma ? "," : ".";
-    const auto split = may_be_short ? split_line : split_row;
-    std::vector<std::string_view> cells;
-    split(without_comment(table.lines[table.first].text), separator, cells);
-    const std::size_t shown = table.columns;
-    table.columns = may_be_short ? widest_row(table) : cells.size();
-    if (may_be_short && table.columns > max_short_row_columns)
-        refuse_line(name, table.lines[table.first].number,
-                    {"has ", table.columns, " columns; must be at most ", max_short_row_columns});
-    table.wholes.resize(table.columns);
-    table.signs.resize(table.columns);
-    table.printed.resize(may_be_short ? table.columns : std::min<std::size_t>(table.columns, 16));
-    const std::string_view last = table.lines.back().text;
-    const auto bytes = static_cast<std::size_t>(last.data() + last.size() - table.lines[table.first].text.data());
-    const std::size_t most_rows = table.lines.size() - table.first;
-    table.values.reserve(
-        (std::min)(most_rows * table.columns, bytes + most_rows));  // a cell, or its separator, is a byte
-    std::size_t last_cells = 0;                                     // rows with something in their last cell
-    std::vector<char> text(table.columns, '?');                     // whether a column is one; '?' until it is sought
-    const auto holds_words = [&](std::size_t c) {
-        if (c < table.words.size() && table.words[c]) return true;
-        if (!may_be_short || separator == ' ' || c >= text.size()) return false;
-        if (text[c] == '?') text[c] = is_text_column(table, c) ? 'y' : 'n';
-        return text[c] == 'y';
-    };
-    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
-        if (i != table.first && is_comment(table.lines[i].text)) continue;
-        const std::size_t line = table.lines[i].number;
-        split(without_comment(table.lines[i].text), separator, cells);
-        if (cells.empty()) continue;
-        // with blanks between them, an empty cell cannot be seen
-        const bool padded = may_be_short && separator != ' ' && cells.size() < table.columns;
-        const bool whole = padded || cells.size() == table.columns;
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            double value = std::numeric_limits<double>::quiet_NaN();
-            const auto number = number_in(cells[c], table.dialect.decimal_comma);
-            if (number || !(cells[c].empty() || is_missing_word(cells[c]) || table.missing.has_word(cells[c]) ||
-                            holds_words(c))) {
-                value = require_number(number, cells[c], table, line, name);
-                if (whole && !table.missing.has(value)) {
-                    table.wholes[c].add(cells[c], value);
-                    if (c < table.printed.size()) table.printed[c].add(cells[c], value);
-                    if (may_be_thousands) table.signs[c].add(cells[c], value, line, sign);
-                }
-            }
-            if (whole) table.values.push_back(value);
-        }
-        if (!whole)
-            refuse_line(
-                name, line,
-                {"has ", cells.size(), " columns; must be ", table.columns, " as in line ",
-                 table.lines[table.first].number, separator == ',' && cells.size() > 1 ? without_points(table) : ""});
-        for (std::size_t c = 0; c < table.columns && (separator == ' ' || separator == ','); ++c)
-            table.signs[c].add_pair(c > 0 && c < cells.size() ? cells[c - 1] : "", c < cells.size() ? cells[c] : "",
-                                    separator, line);
-        if (!cells.back().empty()) ++last_cells;
-        table.row_lines.push_back(line);
-        table.values.resize(table.rows() * table.columns, std::numeric_limits<double>::quiet_NaN());
-    }
-    if (!may_be_short && last_cells == 0 && shown < table.columns && table.columns > 1) drop_last_column(table);
-    refuse_double_comma(table, name);
-    refuse_split_thousands(table, name);
-}
+void read_rows(NumberTable& table, const std::string& name, RowEnds ends) { RowReader(table, name, ends).read(); }
 
 }  // namespace detail
 

@@ -83,8 +83,7 @@ bool names_other(const ColumnTitle& title) {
     return names_error(title.name) || (title.unit.empty() && (names_neither(title.name) || !title.no_length.empty()));
 }
 
-/// Whether column \p c holds neither positions nor heights: by its \p title, or one number throughout, or nothing, as
-/// between two tabs.
+/// Whether column \p c holds neither positions nor heights: by its \p title, or one number, or none, throughout.
 bool is_spare(const NumberTable& table, std::size_t c, const ColumnTitle& title) {
     if (names_other(title)) return true;
     const std::vector<double> numbers = column_of(table, c);
@@ -97,13 +96,8 @@ bool names_length(const ColumnTitle& title) {
     return !title.unit.empty() || names_position(title.name) || names_height(title.name);
 }
 
-bool names_pixel(const ColumnTitle& title) {
-    static constexpr std::array<std::string_view, 16> words{"col",     "column",  "row",  "line", "pixel",   "px",
-                                                            "ix",      "iy",      "i",    "j",    "pixel x", "pixel y",
-                                                            "x pixel", "y pixel", "x px", "y px"};
-    const std::string unit = lower_case(title.unread);
-    return title.unit.empty() && (std::find(words.begin(), words.end(), title.name) != words.end() || unit == "px" ||
-                                  unit == "pixel" || unit == "pixels");
+bool is_pixel(const ColumnTitle& title) {
+    return title.unit.empty() && (names_pixel(title.name) || names_pixel(lower_case(title.unread)));
 }
 
 std::string counted(std::size_t columns) { return columns == 1 ? "one column" : std::to_string(columns) + " columns"; }
@@ -164,7 +158,7 @@ private:
         if (points_.size() < 3) return;
         table_.grid = grid_of(numbers_, points_[0], points_[1]);
         table_.counts_pixels = table_.grid && table_.grid->x.step == 1 && table_.grid->y.step == 1 &&
-                               names_pixel(title(0)) && names_pixel(title(1));
+                               is_pixel(title(0)) && is_pixel(title(1));
     }
 
     /// Whether the header counts the columns of the whole table, or states a size of it.

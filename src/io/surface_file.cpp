@@ -8,6 +8,7 @@
 #include "io/row_layout.hpp"
 #include "io/text_blocks.hpp"
 #include "io/thousands.hpp"
+#include "io/turned_rows.hpp"
 
 namespace fstiff::inline v0_1::io {
 
@@ -31,8 +32,8 @@ namespace detail {
 
 namespace {
 
-/// The text of a table of one or two rows with its rows as columns (io/row_layout.hpp); none for other tables, and for a
-/// map: where \p options give its size, or where they do not ask for a profile and the header above two rows states a
+/// The text of a table of one or two rows with its rows as columns (io/turned_rows.hpp); none for other tables, and for
+/// a map: where \p options give its size, or where they do not ask for a profile and the header above two rows states a
 /// form or both sides. A step alone may be that of a profile.
 std::optional<std::string> turned_text(const NumberTable& table, const SurfaceOptions& options,
                                        const std::string& name) {

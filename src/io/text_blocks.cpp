@@ -4,6 +4,7 @@
 #include "io/option_names.hpp"
 #include "io/row_layout.hpp"
 #include "io/unit_table.hpp"
+#include "io/word_columns.hpp"
 #include "io/zygo_xyz.hpp"
 
 namespace fstiff::inline v0_1::io::detail {
