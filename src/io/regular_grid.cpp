@@ -13,8 +13,24 @@ double printed_step(const NumberTable& table, std::size_t c) {
     return c < table.printed.size() ? table.printed[c].resolution() : 0;
 }
 
-std::optional<GridAxis> axis_of(std::vector<double> positions, double printed) {
-    std::sort(positions.begin(), positions.end());
+namespace {
+
+/// The values of \p positions in their order. The rows of a raster repeat one another: what is as a row before is left
+/// out.
+std::vector<double> sorted_positions(const std::vector<double>& positions) {
+    std::vector<double> sorted;
+    std::size_t period = 1;
+    while (period < positions.size() && positions[period] != positions.front()) ++period;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (i < period || positions[i] != positions[i - period]) sorted.push_back(positions[i]);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
+}  // namespace
+
+std::optional<GridAxis> axis_of(const std::vector<double>& all_positions, double printed) {
+    const std::vector<double> positions = sorted_positions(all_positions);
     for (const double merged : {0.0, 1.01 * printed}) {
         std::vector<double> lines;
         double begin = 0;

@@ -27,7 +27,7 @@ struct GridAxis {
 };
 
 /// The axis on which \p positions lie to within their last printed digit; none when there is none.
-std::optional<GridAxis> axis_of(std::vector<double> positions, double printed);
+std::optional<GridAxis> axis_of(const std::vector<double>& positions, double printed);
 
 struct Grid {
     GridAxis x, y;
