@@ -182,7 +182,7 @@ class Report:
                     yield [before + name.split("/", 1)[1].replace("/", ", ").replace("_", " "), *cells(row)] + [beyond] * kernel
 
         lines += ["## Kernel in two dimensions, laws of a user", "", *table(["row", *head, "values beyond their error estimate"], list(rows("kernel", kernel=True)))]
-        others = (("law", "tabulated law, 1e5 to 1e8 Pa: "), ("law_of_map", "law of a map, with kinks: "), ("contact", "contact: "), ("profile", "profile: "), ("topography", "map: "))
+        others = (("law", "tabulated law, 1e5 to 1e8 Pa: "), ("law_of_map", "law of a map, with kinks: "), ("contact", "contact: "), ("profile", "profile: "), ("topography", "map: "), ("io", "file: "))
         lines += ["## Tabulated laws, contacts, profiles and maps", "", *table(["row", *head], [row for prefix, before in others for row in rows(prefix, before)])]
         return "\n".join(lines + [self.source()])
 
