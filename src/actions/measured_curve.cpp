@@ -3,7 +3,7 @@
 
 #include "actions/curve_header.hpp"
 #include "document/file.hpp"
-#include "io/number_table.hpp"
+#include "io/row_layout.hpp"
 
 #include <fstiff/core/error.hpp>
 
@@ -96,17 +96,6 @@ void read_row(const RowReader& row, const CurveHeader& header, std::vector<Measu
     }
 }
 
-/// Whether some cell of the rows is a number with a decimal comma.
-bool has_decimal_comma(const std::vector<text::Line>& lines, const CurveHeader& header) {
-    Cells cells;
-    return std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(header.rows), lines.end(), [&](const auto& line) {
-        text::split_line(line.text, header.separator, cells);
-        return std::any_of(cells.begin(), cells.end(), [](auto cell) {
-            return cell.find(',') != std::string_view::npos && text::number_in(cell, true);
-        });
-    });
-}
-
 /// Refuses reflections whose unit cannot be what the title states.
 void check_scale(const CurveHeader& header, const MeasuredCurve& curve) {
     if (!curve.is_reflection || curve.points.empty()) return;
@@ -168,22 +157,6 @@ ComputedCurve computed_curve(const Cells& cells, const CurveHeader& header) {
     return curve;
 }
 
-/// Takes away the lines after the rows, such as "EOF" or "Mean;0.5": a word is where the pressure or the frequency is.
-void drop_results(std::vector<text::Line>& lines, const CurveHeader& header, MeasuredCurve& curve) {
-    const auto& column = header.of(header.of(CurveColumn::pressure) ? CurveColumn::pressure : CurveColumn::frequency);
-    if (header.computed() || !column) return;
-    const std::size_t all = lines.size();
-    Cells cells;
-    for (; lines.size() > header.rows + 1; lines.pop_back()) {
-        if (text::is_comment(lines.back().text)) break;
-        text::split_line(lines.back().text, header.separator, cells);
-        const std::string_view cell = column->index < cells.size() ? cells[column->index] : cells.front();
-        if (cell.empty() || cell.find_first_of("0123456789") < cell.size()) break;
-    }
-    if (const std::size_t left = all - lines.size(); left > 0)
-        curve.decisions.push_back(std::to_string(left) + (left == 1 ? " line" : " lines") + " after the rows not used");
-}
-
 }  // namespace
 
 std::vector<MeasuredPoint> MeasuredCurve::points_of(const ComputedCurve& wanted) const {
@@ -205,19 +178,20 @@ MeasuredCurve read_measured_curve(const std::string& file) {
     if (lines.empty()) throw domain_error(curve.name + ": holds blank lines only; " + std::string(must_name_columns));
     const auto where = [&](const text::Line& line) { return curve.name + ":" + std::to_string(line.number) + ": "; };
     const CurveHeader header = read_header(lines, curve);
-    drop_results(lines, header, curve);
-    // of all rows: a point in one of them is then refused, for it may separate thousands
-    const bool decimal_comma = has_decimal_comma(lines, header);
+    const text::NumberTable table = text::titled_rows(std::move(lines), header.rows, header.separator);
+    if (const std::size_t left = table.footer.size(); left > 0)
+        curve.decisions.push_back(std::to_string(left) + (left == 1 ? " line" : " lines") + " after the rows not used");
     curve.is_reflection = header.is_reflection();
     curve.has_errors = header.of(CurveColumn::error).has_value();
     curve.has_pressures = header.of(CurveColumn::pressure) || header.values.front().title.pressure;
     curve.has_frequencies = header.of(CurveColumn::frequency) || header.values.front().title.frequency;
     Cells cells;
-    for (std::size_t row = header.rows; row < lines.size(); ++row) {
-        if (text::is_comment(lines[row].text)) continue;
-        text::split_line(lines[row].text, header.separator, cells);
+    for (std::size_t row = table.first; row < table.lines.size(); ++row) {
+        const text::Line& line = table.lines[row];
+        if (text::is_comment(line.text)) continue;
+        text::split_line(line.text, header.separator, cells);
         const std::size_t before = curve.points.size();
-        read_row({cells, decimal_comma, where(lines[row])}, header, curve.points, lines[row].number);
+        read_row({cells, table.dialect.decimal_comma, where(line)}, header, curve.points, line.number);
         if (!header.computed()) continue;
         const ComputedCurve law = computed_curve(cells, header);
         const auto known = std::find(curve.computed.begin(), curve.computed.end(), law);

@@ -142,9 +142,10 @@ NumberTable open_table(std::vector<Line> lines, const std::string& name, const S
     find_words(table, name);
     if (table.first == table.lines.size()) {
         refuse_units_in_cells(table, name);
-        refuse_line(
-            name, table.lines.front().number,
-            {shown_cell(table.lines.front().text), " is not a row of numbers, nor is any line after it", wanted});
+        const std::string_view line = table.lines.front().text;
+        refuse_line(name, table.lines.front().number,
+                    {shown_cell(line), " is not a row of numbers, nor is any line after it", wanted,
+                     line.ends_with('[') ? ", without the brackets and semicolons of a program" : ""});
     }
     find_decimal_sign(table);
     table.columns = written_columns(table);
@@ -155,6 +156,20 @@ NumberTable open_table(std::vector<Line> lines, const std::string& name, const S
 NumberTable open_table(std::string_view text, const std::string& name) {
     std::size_t count = 0;
     return open_table(lines_of(text, name, count), name);
+}
+
+NumberTable titled_rows(std::vector<Line> lines, std::size_t first, char separator) {
+    NumberTable table{.lines = std::move(lines), .first = first, .dialect = {.separator = separator}};
+    while (table.first < table.lines.size() && is_comment(table.lines[table.first].text)) ++table.first;
+    if (table.first == table.lines.size()) return table;
+    std::vector<std::string_view> cells;
+    split_row(without_comment(table.lines[table.first].text), separator, cells);
+    table.words = words_in(std::span(table.lines).subspan(table.first), separator, cells.size());
+    if (std::count(table.words.begin(), table.words.end(), true) == 0) table.words.clear();
+    find_decimal_sign(table);
+    table.columns = written_columns(table);
+    drop_footer(table);
+    return table;
 }
 
 void take_rows_above(NumberTable& table) {

@@ -12,7 +12,6 @@ bool begins_with_number(std::string_view cell) {
     return begin < cell.size() && is_digit(cell[begin]);
 }
 
-/// Whether \p line holds digits, signs and separators alone, so that it need not be cut into cells.
 bool is_plain(std::string_view line) {
     static constexpr auto plain = [] {
         std::array<bool, 256> table{};
@@ -61,6 +60,25 @@ bool may_be_number(std::string_view cell) {
     if (!word) return cell.find(':') == cell.npos && cell.find_first_not_of("0123456789-/.") < cell.size();
     return has_unit(cell);
 }
+
+}  // namespace
+
+std::vector<bool> words_in(std::span<const Line> lines, char separator, std::size_t columns) {
+    std::vector<std::string_view> cells;
+    std::vector<std::size_t> numbers(columns), words(columns);
+    for (const Line& line : lines) {
+        if (is_comment(line.text)) continue;
+        split_row(without_comment(line.text), separator, cells);
+        if (cells.size() != columns || std::none_of(cells.begin(), cells.end(), is_number)) continue;
+        for (std::size_t c = 0; c < columns; ++c) (is_number(cells[c]) ? numbers : words)[c] += !is_gap(cells[c]);
+    }
+    std::vector<bool> found(columns);
+    for (std::size_t c = 0; c < columns; ++c) found[c] = words[c] > numbers[c];
+    return found;
+}
+
+namespace {
+
 /// Rows with words in some columns, of one separator.
 struct WordRows {
     char separator{};
@@ -89,15 +107,7 @@ std::optional<WordRows> rows_between(const std::vector<Line>& lines, char separa
     const std::size_t columns = std::max_element(mixed.begin(), mixed.end(), [](const auto& a, const auto& b) {
                                     return a.second < b.second;
                                 })->first;
-    std::vector<std::size_t> numbers(columns), words(columns);
-    for (const Line& line : lines) {
-        if (is_comment(line.text)) continue;
-        split(line);
-        if (cells.size() != columns || std::none_of(cells.begin(), cells.end(), is_number)) continue;
-        for (std::size_t c = 0; c < columns; ++c) (is_number(cells[c]) ? numbers : words)[c] += !is_gap(cells[c]);
-    }
-    WordRows found{.separator = separator, .words = std::vector<bool>(columns)};
-    for (std::size_t c = 0; c < columns; ++c) found.words[c] = words[c] > numbers[c];
+    WordRows found{.separator = separator, .words = words_in(lines, separator, columns)};
     std::size_t others = 0, between = 0;  // lines that are none since the last row, and before it
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (is_comment(lines[i].text)) continue;

@@ -13,6 +13,8 @@
 
 #include "io/number_table.hpp"
 
+#include <span>
+
 namespace fstiff::inline v0_1::io::detail {
 
 /// Whether \p cell begins with a digit, signs apart.
@@ -23,6 +25,9 @@ bool is_plain(std::string_view line);
 
 /// Whether a line of cells is a row of \p table: numbers, missing points, and words where its columns hold words.
 bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& cells);
+
+/// Whether each of the \p columns holds more words than numbers in the \p lines with that many cells, one a number.
+std::vector<bool> words_in(std::span<const Line> lines, char separator, std::size_t columns);
 
 /// Finds the columns of words, where the lines are no rows of numbers alone, and the first row.
 /// \throws domain_error where a comma may be decimal or separate the columns

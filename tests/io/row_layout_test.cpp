@@ -90,6 +90,7 @@ TEST_CASE("What may be a number is no word") {
          refused("line 2: \"0.0 um\" has its unit in the cell")},
         {"glued units", "x;z\n" + rows("{x}mm;{z}um\n"), refused("line 2: \"0.0mm\" has its unit in the cell")},
         {"between commas", "x,z\n" + rows("{x} um,{z} um\n"), refused("line 2: \"0.0 um\" has its unit in the cell")},
+        {"code of MATLAB", "z = [\n" + rows("{x} {z};\n") + "];\n", refused("without the brackets and semicolons")},
         {"faces of a mesh", rows("f {i} 2 3\n"), refused("\"f 0 2 3\""), {.units = "um"}},
         {"a unit in one cell", titles + rows("{x} um;{z}\n"), refused("\"")},
         {"blanks between thousands", titles + rows("{i};1 07{i},0\n"), refused("thousands")},
