@@ -23,7 +23,8 @@ NumberTable open_table(std::vector<Line> lines, const std::string& name, const S
                        std::size_t before = 0);
 NumberTable open_table(std::string_view text, const std::string& name);
 
-/// The rows from line \p first on, below titles that show the \p separator: their decimal sign, columns of words and end.
+/// The rows from line \p first on, below titles that show the \p separator: their decimal sign, columns of words and
+/// end.
 NumberTable titled_rows(std::vector<Line> lines, std::size_t first, char separator);
 
 /// Takes for rows those directly above the first one that have words only where the rows have nothing, as next to the
