@@ -185,8 +185,14 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
     std::vector<std::string_view> words;
     split_line(line, separator, words);
     cells.clear();
+    const auto is_open = [](std::string_view cell) {  // "z [10^-6" of "z [10^-6 m]"
+        const std::size_t begin = cell.find_last_of("[(");
+        return begin < cell.size() && cell.find_first_of("])", begin) == std::string_view::npos;
+    };
+    const auto begins_unit = [](std::string_view word) { return word.starts_with('[') || word.starts_with('('); };
+    const bool titled = !words.empty() && !begins_unit(words.front());  // else "[mm] [nm]"
     for (const std::string_view word : words)
-        if (!cells.empty() && !word.empty() && (word.front() == '[' || word.front() == '('))
+        if (!cells.empty() && !word.empty() && ((titled && begins_unit(word)) || is_open(cells.back())))
             cells.back() = {cells.back().data(),
                             static_cast<std::size_t>(word.data() + word.size() - cells.back().data())};
         else
@@ -228,6 +234,7 @@ public:
             }
             const std::size_t number = table_.lines[i].number;
             for (std::size_t c = 0; as_rows && c < cells_.size(); ++c) add(titles_[c], title_of(cells_[c]), number);
+            if (as_rows) are_units_ = own_ == 1 && std::all_of(cells_.begin(), cells_.end(), is_unit_alone);
             if (++written_ > 2) continue;
             for (std::size_t c = 0; c < cells_.size(); ++c) {
                 titles_[c].text = std::string(cells_[c]) + (written_ > 1 ? " " + titles_[c].text : "");
@@ -252,9 +259,26 @@ private:
         const char separator = table_.dialect.separator;
         for (const std::string_view line : {without_comment_sign(text, separator), text}) {  // a title may be "#"
             split_titles(line, separator, cells_);
-            if (are_titles(line, own_)) return true;
+            if (!are_titles(line, own_)) continue;
+            const bool may_be_prose = separator == ' ' && table_.columns > 1 && is_comment(text);
+            if (!may_be_prose || std::any_of(cells_.begin(), cells_.end(), names_something)) return true;
         }
         return false;
+    }
+
+    /// Whether \p cell has a unit, or a word for what a column holds.
+    static bool names_something(std::string_view cell) {
+        const ColumnTitle title = title_of(cell);
+        return !title.unit.empty() || !title.no_length.empty() || names_index(title.name) ||
+               names_position(title.name) || names_height(title.name) || names_neither(title.name) ||
+               names_error(title.name) || names_pixel(title.name);
+    }
+
+    /// Whether \p cell is a unit and no more, or a sign for none.
+    static bool is_unit_alone(std::string_view cell) {
+        const auto is_letter = [](char c) { return (c | 0x20) >= 'a' || static_cast<unsigned char>(c) >= 0x80; };
+        return title_unit(cell) == cell || measures_no_length(cell) ||
+               std::none_of(cell.begin(), cell.end(), is_letter);
     }
 
     bool is_cut_otherwise(std::string_view text) {
@@ -268,8 +292,8 @@ private:
         return are_titles(line, written_);
     }
 
-    static void add(ColumnTitle& title, const ColumnTitle& above, std::size_t line) {
-        if (title_unit(title.name) == title.name) title.name = above.name;  // none, or a unit alone
+    void add(ColumnTitle& title, const ColumnTitle& above, std::size_t line) const {
+        if (are_units_ || title_unit(title.name) == title.name) title.name = above.name;  // none, or a unit alone
         if (title.no_length.empty()) title.no_length = above.no_length;
         if (title.unit.empty()) title.unit = above.unit;
         if (title.unread.empty()) title.unread = above.unread;
@@ -280,6 +304,7 @@ private:
     std::vector<ColumnTitle> titles_;
     std::vector<std::string_view> cells_{};
     int own_ = 0, written_ = 0;  // lines that are cut as the rows are, and all
+    bool are_units_ = false;     // the nearest of them holds units alone
 };
 
 }  // namespace
