@@ -78,14 +78,13 @@ bool has_alternate_blanks(std::string_view line) {
     return commas > 2;
 }
 
-/// Whether the line above the rows has two titles or more between commas, one of them with a unit, and the rows have
-/// more cells; those of R may, whose first is a name in quotes.
+/// Whether the line above the rows has two titles or more between commas, and the rows have more cells; those of R may,
+/// whose first is a name in quotes.
 bool has_fewer_titles(const NumberTable& table) {
     if (table.first == 0 || table.lines[table.first].text.find('"') != std::string_view::npos) return false;
     std::vector<std::string_view> cells;
     split_row(without_comment_sign(table.lines[table.first - 1].text, ','), ',', cells);
-    return cells.size() > 1 && cells.size() < table.columns &&
-           std::any_of(cells.begin(), cells.end(), [](auto cell) { return !title_unit(cell).empty(); });
+    return cells.size() > 1 && cells.size() < table.columns && std::any_of(cells.begin(), cells.end(), names_something);
 }
 
 /// Whether a number of a row has a point.

@@ -92,8 +92,8 @@ std::optional<Dialect> dialect_of(std::string_view line) {
 
 std::string_view without_comment(std::string_view line) {
     for (std::size_t i = line.find('#'); i != std::string_view::npos; i = line.find('#', i + 1)) {
-        const bool glued = i > 0 && std::string_view(" \t,;").find(line[i - 1]) == std::string_view::npos;
-        const std::string_view word = line.substr(i, (std::min)(line.find_first_of(" \t,;\"", i), line.size()) - i);
+        const bool glued = i > 0 && std::string_view(" \t,;|").find(line[i - 1]) == std::string_view::npos;
+        const std::string_view word = line.substr(i, (std::min)(line.find_first_of(" \t,;|\"", i), line.size()) - i);
         if (!glued && !is_missing_word(word)) return line.substr(0, i);
     }
     return line;

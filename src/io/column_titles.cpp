@@ -58,6 +58,14 @@ bool is_key_and_number(std::string_view line) {
            leading_number(trimmed(line.substr(sign + 1))).status != NumberStatus::no_number;
 }
 
+/// Whether \p line is the name of a part of the file, "[Data]", and no unit.
+bool is_section(std::string_view line) {
+    line = trimmed(line);
+    if (line.size() < 5 || line.front() != '[' || line.back() != ']' || line[1] < 'A' || line[1] > 'Z') return false;
+    const std::string_view name = line.substr(1, line.size() - 2);
+    return !is_length(name) && !measures_no_length(name);
+}
+
 /// Whether \p line is a key and a unit, or a number with one, as "x-unit: mm" and "Stylus radius = 2 um" are.
 bool is_key_and_unit(std::string_view line) {
     const std::size_t sign = line.find_first_of(":=");
@@ -199,6 +207,12 @@ void split_titles(std::string_view line, char separator, std::vector<std::string
             cells.push_back(word);
 }
 
+bool names_something(std::string_view cell) {
+    const ColumnTitle title = title_of(cell);
+    return !title.unit.empty() || !title.no_length.empty() || names_index(title.name) || names_position(title.name) ||
+           names_height(title.name) || names_neither(title.name) || names_error(title.name) || names_pixel(title.name);
+}
+
 bool is_titled(const std::vector<ColumnTitle>& titles) {
     return std::any_of(titles.begin(), titles.end(), [](const ColumnTitle& title) { return !title.name.empty(); });
 }
@@ -248,7 +262,8 @@ private:
     /// Whether the cells are titles, where \p lines of titles are below them: a line above may be a key and its value,
     /// "Objective:;20X".
     bool are_titles(std::string_view line, int lines) const {
-        if (cells_.size() != table_.columns || (table_.columns == 1 && is_key_and_number(line))) return false;
+        if (cells_.size() != table_.columns) return false;
+        if (table_.columns == 1 && (is_key_and_number(line) || is_section(line))) return false;
         return std::none_of(cells_.begin(), cells_.end(), [&](std::string_view cell) {
             return number_in(cell, table_.dialect.decimal_comma) ||
                    (lines > 0 && !cell.empty() && is_digit(cell.front()));
@@ -264,14 +279,6 @@ private:
             if (!may_be_prose || std::any_of(cells_.begin(), cells_.end(), names_something)) return true;
         }
         return false;
-    }
-
-    /// Whether \p cell has a unit, or a word for what a column holds.
-    static bool names_something(std::string_view cell) {
-        const ColumnTitle title = title_of(cell);
-        return !title.unit.empty() || !title.no_length.empty() || names_index(title.name) ||
-               names_position(title.name) || names_height(title.name) || names_neither(title.name) ||
-               names_error(title.name) || names_pixel(title.name);
     }
 
     /// Whether \p cell is a unit and no more, or a sign for none.

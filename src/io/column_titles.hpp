@@ -73,6 +73,9 @@ ColumnTitle title_of(std::string_view cell);
 /// for any.
 std::vector<ColumnTitle> titles_above(const NumberTable& table);
 
+/// Whether the title \p cell has a unit, or a word for what a column holds (io/column_words.hpp).
+bool names_something(std::string_view cell);
+
 /// Whether one of \p titles has a name.
 bool is_titled(const std::vector<ColumnTitle>& titles);
 
