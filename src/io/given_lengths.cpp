@@ -23,8 +23,8 @@ GivenUnits given_lengths(const SurfaceOptions& options, const std::string& name,
 std::string take_heights(std::vector<double>& heights, const GivenUnits& units, const SurfaceOptions& options,
                          const std::string& name) {
     const MissingValues missing = given_missing(options.missing, name);
-    mark_missing(heights.data(), heights.size(), missing, std::numeric_limits<double>::quiet_NaN(), name, options.names,
-                 units.heights, [](std::size_t) { return std::size_t(0); });
+    mark_missing(heights.data(), heights.size(), missing, {}, name, options.names, units.heights,
+                 [](std::size_t) { return std::size_t(0); });
     for (double& z : heights) z *= units.vertical;
     return missing.note();
 }

@@ -41,7 +41,7 @@ bool is_customary_missing(double value) {
 
 }  // namespace
 
-std::optional<Suspect> suspected_missing(const double* heights, std::size_t count, double whole) {
+std::optional<Suspect> suspected_missing(const double* heights, std::size_t count, const LoneWhole& whole) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     double low = infinite, high = -infinite;
     for (std::size_t i = 0; i < count; ++i) {  // NaN fails every comparison
@@ -70,10 +70,10 @@ std::optional<Suspect> suspected_missing(const double* heights, std::size_t coun
     if (suspicious(highest)) return highest;
     lowest.high = last, highest.low = next;  // both of them
     if (next < last && suspicious(lowest) && suspicious(highest)) return lowest;
-    Suspect lone{.value = whole, .low = low, .high = high, .among = true};
+    Suspect lone{.value = whole.value(), .low = low, .high = high, .among = true};
     for (std::size_t i = 0; i < count; ++i)
-        if (heights[i] == whole && lone.times++ == 0) lone.first = i;
-    if (lone.times > 1 && is_customary_missing(whole)) return lone;
+        if (heights[i] == lone.value && lone.times++ == 0) lone.first = i;
+    if (lone.times > 1 && (is_customary_missing(lone.value) || whole.is_next_to_fixed())) return lone;
     return std::nullopt;
 }
 

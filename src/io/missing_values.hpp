@@ -7,7 +7,8 @@
 /// A number is suspected that is the highest or the lowest of all, and lies beyond the range of the rest by
 ///     10 times that range, where it is there twice or more;
 ///     a quarter of that range, where it is also one that instruments and programs use so (-9999, -32768, 1e20).
-/// So is one of these that is there twice and is the only number without decimals.
+/// So is one of these that is there twice and is the only number without decimals; any number, where the others are a
+/// hundred and more with as many decimals each.
 /// A plateau, such as that of heights beyond the range of an instrument, adjoins the rest and is not suspected.
 ///
 /// Units       those of the file
@@ -53,26 +54,38 @@ class LoneWhole {
 public:
     /// \p value is what fills \p cell.
     void add(std::string_view cell, double value) {
-        if (std::any_of(cell.begin(), cell.end(), is_decimal_sign))
-            decimals_ = true;
+        const auto sign = std::find_if(cell.begin(), cell.end(), is_decimal_sign);
+        if (sign != cell.end())
+            add_decimals(std::find_if_not(sign + 1, cell.end(), is_digit) - sign, 1);
         else if (std::isnan(value_))
             value_ = value;
         else
             others_ = others_ || value != value_;
     }
     void add(const LoneWhole& other) {
-        decimals_ = decimals_ || other.decimals_;
+        if (other.cells_ > 0) add_decimals(other.decimals_, other.cells_);
+        vary_ = vary_ || other.vary_;
         others_ = others_ || other.others_ || (other.value_ != value_ && !std::isnan(other.value_ + value_));
         if (std::isnan(value_)) value_ = other.value_;
     }
     /// NaN where there is none, or several.
     [[nodiscard]] double value() const {
-        return decimals_ && !others_ ? value_ : std::numeric_limits<double>::quiet_NaN();
+        return cells_ > 0 && !others_ ? value_ : std::numeric_limits<double>::quiet_NaN();
     }
+    /// Whether all others have as many decimals, as no program prints that leaves out zeros at the end.
+    [[nodiscard]] bool is_next_to_fixed() const { return !vary_ && decimals_ > 2 && cells_ >= 100; }
 
 private:
+    void add_decimals(std::ptrdiff_t decimals, std::size_t cells) {
+        vary_ = vary_ || (cells_ > 0 && decimals != decimals_);
+        decimals_ = decimals;
+        cells_ += cells;
+    }
+
     double value_ = std::numeric_limits<double>::quiet_NaN();
-    bool others_ = false, decimals_ = false;
+    bool others_ = false, vary_ = false;
+    std::ptrdiff_t decimals_ = 0;  // with their sign
+    std::size_t cells_ = 0;        // with decimals
 };
 
 /// A number that may mark missing points.
@@ -84,14 +97,13 @@ struct Suspect {
 };
 
 /// The number among the \p count heights that may mark missing points; none when all look like heights. \p whole is the
-/// only one that is printed without decimals, NaN for none.
-std::optional<Suspect> suspected_missing(const double* heights, std::size_t count,
-                                         double whole = std::numeric_limits<double>::quiet_NaN());
+/// only one that is printed without decimals.
+std::optional<Suspect> suspected_missing(const double* heights, std::size_t count, const LoneWhole& whole = {});
 
 /// Makes NaN of the heights that \p missing names; when it names none, \throws domain_error for a suspected one.
 /// \p whole as above, \p line_of(i) is the line of height i, \p unit what their numbers are in.
 template <class LineOf>
-void mark_missing(double* heights, std::size_t count, const MissingValues& missing, double whole,
+void mark_missing(double* heights, std::size_t count, const MissingValues& missing, const LoneWhole& whole,
                   const std::string& name, const OptionNames& names, const std::string& unit, const LineOf& line_of) {
     if (!missing.numbers.empty())
         for (std::size_t i = 0; i < count; ++i)

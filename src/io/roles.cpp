@@ -35,7 +35,7 @@ std::vector<double> TextTable::take_heights(const std::string& name, const std::
     heights.resize(count);
     LoneWhole whole;
     for (const std::size_t c : used) whole.add(numbers.wholes[c]);
-    mark_missing(heights.data(), count, numbers.missing, whole.value(), name, numbers.names, unit,
+    mark_missing(heights.data(), count, numbers.missing, whole, name, numbers.names, unit,
                  [&](std::size_t i) { return numbers.row_lines[i / used.size()]; });
     if (form == SurfaceFormat::matrix) numbers.columns = used.size();
     return heights;

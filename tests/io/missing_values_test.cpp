@@ -48,7 +48,7 @@ TEST_CASE("The only number without decimals is suspected where instruments use i
         LoneWhole whole;
         std::vector<double> heights;
         for (const auto& [cell, value] : cells) whole.add(cell, value), heights.push_back(value);
-        const auto found = suspected_missing(heights.data(), heights.size(), whole.value());
+        const auto found = suspected_missing(heights.data(), heights.size(), whole);
         return found ? std::optional(found->value) : std::nullopt;
     };
     CHECK(lone({{"-12000.5", -12000.5}, {"-9999", -9999}, {"13000.0", 13000}, {"-9999", -9999}}) == -9999);
@@ -57,6 +57,19 @@ TEST_CASE("The only number without decimals is suspected where instruments use i
     CHECK(lone({{"-12000.5", -12000.5}, {"-9999", -9999}, {"13000", 13000}, {"-9999", -9999}}) == std::nullopt);
     CHECK(lone({{"-12000", -12000}, {"-9999", -9999}, {"13000", 13000}, {"-9999", -9999}}) == std::nullopt);
     CHECK(lone({{"-0.5", -0.5}, {"0", 0}, {"0.7", 0.7}, {"0", 0}}) == std::nullopt);  // as %g prints 0
+    for (const bool zeros : {true, false}) {                                          // at the end, or left out
+        std::vector<std::pair<std::string, double>> cells{{"0", 0}, {"0", 0}};
+        for (int i = -60; i < 60; ++i) {
+            const double value = i == 0 ? 0.5 : i / 8.0;
+            const std::string cell = std::to_string(value).substr(0, i < 0 ? 6 : 5);
+            cells.emplace_back(zeros ? cell : cell.substr(0, cell.find_last_not_of('0') + 1), value);
+        }
+        LoneWhole whole;
+        std::vector<double> heights;
+        for (const auto& [cell, value] : cells) whole.add(cell, value), heights.push_back(value);
+        const auto found = suspected_missing(heights.data(), heights.size(), whole);
+        CHECK(found.has_value() == zeros);
+    }
     LoneWhole both, other;
     both.add("-9999", -9999), other.add("1.5", 1.5);
     both.add(other);
