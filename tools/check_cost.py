@@ -41,7 +41,7 @@ double f(const fstiff::Profile<double>& p) { return fstiff::measure(p).rms_heigh
 }
 COMMAND = ("fstiff_io", "fstiff_io_points", "fstiff_instances", "fstiff_scene", "fstiff_sweep", "fstiff_cli")
 # Of the command and of everything, by g++ 12; tests/CMakeLists.txt allows other versions a tenth more.
-CODE_UNITS, CODE_MB = (8, 54), (5.2, 27.5)  # tests that are not optimised have 4 MB more, compiled in half the time
+CODE_UNITS, CODE_MB = (8, 55), (5.2, 27.5)  # tests that are not optimised have 4 MB more, compiled in half the time
 
 
 def cpu_seconds(command, cwd=None):
