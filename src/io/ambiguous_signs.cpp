@@ -116,26 +116,30 @@ void refuse_double_comma(const NumberTable& table, const std::string& name) {
     if (has_fewer_titles(table) && !has_points(table)) refuse();
     if (table.columns < 4 || table.columns % 2 != 0) return;
     std::vector<std::string_view> cells;
-    bool zero_before = false, alternate = true;
+    bool zero_before = false, alternate = true, exponents = true;
     std::vector<double> first;  // of the first two cells as one number
     for (std::size_t i = table.first; i < table.lines.size(); ++i) {
         const std::string_view line = without_comment(table.lines[i].text);
         if (is_comment(table.lines[i].text)) continue;
-        if (line.find_first_of(".eE") != std::string_view::npos) return;
+        if (line.find('.') != std::string_view::npos) return;
         split_line(line, ',', cells);
         alternate = alternate && has_alternate_blanks(line);
-        for (std::size_t c = 1; c < cells.size(); c += 2) {
-            if (cells[c].find_first_not_of("0123456789") != std::string_view::npos) return;
-            zero_before = zero_before || (cells[c].size() > 1 && cells[c].front() == '0');
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const std::size_t end = (std::min)(cells[c].find_first_of("eEdD"), cells[c].size());
+            const std::string_view digits = cells[c].substr(0, end);
+            if (c % 2 == 0 ? end < cells[c].size() : digits.find_first_not_of("0123456789") < digits.size()) return;
+            if (c % 2 == 0) continue;
+            exponents = exponents && end < cells[c].size();
+            zero_before = zero_before || (digits.size() > 1 && digits.front() == '0');
         }
-        if (cells.size() < 2 || cells[0].empty() || cells[1].empty()) return;
+        if (cells.size() < 2) return;
         first.push_back(number_in(std::string(cells[0]) + "." + std::string(cells[1]), false).value_or(0));
     }
     const double step = first.size() < 16 ? 0 : (first.back() - first.front()) / static_cast<double>(first.size() - 1);
     bool even = step != 0;
     for (std::size_t r = 0; r < first.size(); ++r)
         even = even && std::abs(first[r] - first.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step);
-    if (zero_before || even || alternate) refuse();
+    if (zero_before || even || alternate || exponents) refuse();
 }
 
 namespace {

@@ -26,9 +26,9 @@ void refuse_blank_groups(const NumberTable& table, const std::string& name, cons
 std::string without_points(const NumberTable& table);
 
 /// Refuses rows such as "0,5,-9,8351", whose comma separates columns and is decimal: every second cell has digits
-/// alone, some with a zero before others, as fractions have and whole numbers do not; or every second comma alone has
-/// a blank after it; or the first two cells of 16 rows and more, as one number, rise in equal steps; or the cells are
-/// more than the titles above, as in "P0,4805,3".
+/// alone, as fractions have, some with a zero before others, as whole numbers do not, or all with an exponent; or every
+/// second comma alone has a blank after it; or the first two cells of 16 rows and more, as one number, rise in equal
+/// steps; or the cells are more than the titles above, as in "P0,4805,3".
 void refuse_double_comma(const NumberTable& table, const std::string& name);
 
 /// Refuses rows such as "1 003,5" and "0,1,012", where what separates columns may separate thousands: in each, three
