@@ -105,41 +105,90 @@ std::string without_points(const NumberTable& table) {
     return has_points(table) ? "" : " (a comma cannot be the decimal sign and separate the columns)";
 }
 
+namespace {
+
+/// What rows between commas show of decimal commas, where each number would be two cells.
+class DoubleCommas {
+public:
+    explicit DoubleCommas(const NumberTable& table) : table_(table) {}
+
+    /// Whether they show more than the cells of whole numbers do.
+    bool found() {
+        std::size_t columns = 0;
+        for (std::size_t c = 0; c < table_.columns; ++c) columns += !is_word(c);
+        if (columns < 2 || columns % 2 != 0 || (columns == 2 && table_.words.empty())) return false;
+        for (std::size_t i = table_.first; i < table_.lines.size(); ++i)
+            if (!is_comment(table_.lines[i].text) && !add(without_comment(table_.lines[i].text))) return false;
+        const bool even = first_.size() >= 16 && have_equal_steps(first_);
+        // fractions of as many digits each, next to whole numbers
+        const bool fixed = columns > 2 && fractions_ >= 16 && same_width_ && varied_ && !has_titles();
+        const bool no_positions = columns == 2 && !have_equal_steps(wholes_) && !has_titles();
+        return zero_before_ || (columns > 2 && even) || no_positions || exponents_ || fixed ||
+               (alternate_ && table_.words.empty());
+    }
+
+private:
+    bool is_word(std::size_t c) const { return c < table_.words.size() && table_.words[c]; }
+
+    /// \return false for a row that has no decimal commas
+    bool add(std::string_view line) {
+        split_line(line, ',', cells_);
+        alternate_ = alternate_ && has_alternate_blanks(line);
+        std::vector<std::string_view> numbers;
+        for (std::size_t c = 0; c < cells_.size(); ++c)
+            if (!is_word(c)) numbers.push_back(cells_[c]);
+        if (numbers.size() < 2) return false;
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            if (numbers[k].find('.') < numbers[k].size()) return false;
+            const std::size_t end = (std::min)(numbers[k].find_first_of("eEdD"), numbers[k].size());
+            const std::string_view digits = numbers[k].substr(0, end);
+            if (k % 2 == 0 ? end < numbers[k].size() : digits.find_first_not_of("0123456789") < digits.size())
+                return false;
+            varied_ = varied_ || (k % 2 == 0 && digits.size() != numbers[0].size());
+            if (k % 2 == 0) continue;
+            same_width_ = same_width_ && (fractions_++ == 0 || digits.size() == width_);
+            width_ = digits.size();
+            exponents_ = exponents_ && end < numbers[k].size();
+            zero_before_ = zero_before_ || (digits.size() > 1 && digits.front() == '0');
+        }
+        wholes_.push_back(number_in(numbers[0], false).value_or(0));
+        first_.push_back(number_in(std::string(numbers[0]) + "." + std::string(numbers[1]), false).value_or(0));
+        return true;
+    }
+
+    static bool have_equal_steps(const std::vector<double>& values) {
+        if (values.size() < 2) return false;
+        const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+        for (std::size_t r = 0; r < values.size(); ++r)
+            if (!(std::abs(values[r] - values.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step)))
+                return false;
+        return step != 0;
+    }
+
+    /// Whether the line above the rows has a title for each of their cells.
+    bool has_titles() {
+        if (table_.first == 0) return false;
+        split_row(without_comment_sign(table_.lines[table_.first - 1].text, ','), ',', cells_);
+        return are_titles(cells_, table_.columns);
+    }
+
+    const NumberTable& table_;
+    std::vector<std::string_view> cells_{};
+    bool zero_before_ = false, alternate_ = true, exponents_ = true;
+    bool same_width_ = true, varied_ = false;  // of fractions, of whole numbers
+    std::size_t width_{}, fractions_{};
+    std::vector<double> wholes_{}, first_{};  // of the first two cells, the first alone, and both as one number
+};
+
+}  // namespace
+
 void refuse_double_comma(const NumberTable& table, const std::string& name) {
     if (table.dialect.separator != ',') return;
-    const auto refuse = [&] {
+    if ((has_fewer_titles(table) && !has_points(table)) || DoubleCommas(table).found())
         refuse_line(name, table.lines[table.first].number,
                     {shown_cell(table.lines[table.first].text),
                      " has commas between its columns and in its numbers; must have another separator, or points for "
                      "its decimal signs"});
-    };
-    if (has_fewer_titles(table) && !has_points(table)) refuse();
-    if (table.columns < 4 || table.columns % 2 != 0) return;
-    std::vector<std::string_view> cells;
-    bool zero_before = false, alternate = true, exponents = true;
-    std::vector<double> first;  // of the first two cells as one number
-    for (std::size_t i = table.first; i < table.lines.size(); ++i) {
-        const std::string_view line = without_comment(table.lines[i].text);
-        if (is_comment(table.lines[i].text)) continue;
-        if (line.find('.') != std::string_view::npos) return;
-        split_line(line, ',', cells);
-        alternate = alternate && has_alternate_blanks(line);
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            const std::size_t end = (std::min)(cells[c].find_first_of("eEdD"), cells[c].size());
-            const std::string_view digits = cells[c].substr(0, end);
-            if (c % 2 == 0 ? end < cells[c].size() : digits.find_first_not_of("0123456789") < digits.size()) return;
-            if (c % 2 == 0) continue;
-            exponents = exponents && end < cells[c].size();
-            zero_before = zero_before || (digits.size() > 1 && digits.front() == '0');
-        }
-        if (cells.size() < 2) return;
-        first.push_back(number_in(std::string(cells[0]) + "." + std::string(cells[1]), false).value_or(0));
-    }
-    const double step = first.size() < 16 ? 0 : (first.back() - first.front()) / static_cast<double>(first.size() - 1);
-    bool even = step != 0;
-    for (std::size_t r = 0; r < first.size(); ++r)
-        even = even && std::abs(first[r] - first.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step);
-    if (zero_before || even || alternate || exponents) refuse();
 }
 
 namespace {

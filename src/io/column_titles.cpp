@@ -213,6 +213,11 @@ bool names_something(std::string_view cell) {
            names_height(title.name) || names_neither(title.name) || names_error(title.name) || names_pixel(title.name);
 }
 
+bool are_titles(const std::vector<std::string_view>& cells, std::size_t columns) {
+    return cells.size() == columns &&
+           std::none_of(cells.begin(), cells.end(), [](auto cell) { return !cell.empty() && is_digit(cell.front()); });
+}
+
 bool is_titled(const std::vector<ColumnTitle>& titles) {
     return std::any_of(titles.begin(), titles.end(), [](const ColumnTitle& title) { return !title.name.empty(); });
 }
@@ -261,7 +266,7 @@ public:
 private:
     /// Whether the cells are titles, where \p lines of titles are below them: a line above may be a key and its value,
     /// "Objective:;20X".
-    bool are_titles(std::string_view line, int lines) const {
+    bool may_be_titles(std::string_view line, int lines) const {
         if (cells_.size() != table_.columns) return false;
         if (table_.columns == 1 && (is_key_and_number(line) || is_section(line))) return false;
         return std::none_of(cells_.begin(), cells_.end(), [&](std::string_view cell) {
@@ -274,7 +279,7 @@ private:
         const char separator = table_.dialect.separator;
         for (const std::string_view line : {without_comment_sign(text, separator), text}) {  // a title may be "#"
             split_titles(line, separator, cells_);
-            if (!are_titles(line, own_)) continue;
+            if (!may_be_titles(line, own_)) continue;
             const bool may_be_prose = separator == ' ' && table_.columns > 1 && is_comment(text);
             if (!may_be_prose || std::any_of(cells_.begin(), cells_.end(), names_something)) return true;
         }
@@ -293,10 +298,10 @@ private:
         if (table_.dialect.separator == ' ' && table_.columns > 1)
             for (const char separator : {';', '\t', ','}) {
                 split_titles(line, separator, cells_);
-                if (cells_.size() == table_.columns) return are_titles(line, written_);
+                if (cells_.size() == table_.columns) return may_be_titles(line, written_);
             }
         split_at_units(line, cells_);
-        return are_titles(line, written_);
+        return may_be_titles(line, written_);
     }
 
     void add(ColumnTitle& title, const ColumnTitle& above, std::size_t line) const {

@@ -179,7 +179,7 @@ bool has_titles(const std::vector<Line>& lines, const WordRows& rows) {
     if (rows.first == 0) return false;
     std::vector<std::string_view> titles;
     split_titles(without_comment_sign(lines[rows.first - 1].text, rows.separator), rows.separator, titles);
-    return titles.size() == rows.words.size();
+    return are_titles(titles, rows.words.size());
 }
 
 /// Of "P0 4805,3" the comma may separate columns, as in \p rows, or be decimal, where no number has a point: the
