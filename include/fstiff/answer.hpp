@@ -20,8 +20,8 @@
 /// }
 /// ```
 /// ```text
-/// 10 MPa: K/A0 = 8.71e+13 Pa/m (2.78e+13 to 2.47e+14)
-/// 30 MPa: K/A0 = 2.39e+14 Pa/m (1.08e+14 to 5.27e+14)
+/// 10 MPa: K/A0 = 8.71e+13 Pa/m (2.5e+13 to 3.07e+14)
+/// 30 MPa: K/A0 = 2.39e+14 Pa/m (8.83e+13 to 7.26e+14)
 /// ```
 
 #include <fstiff/answer/answer.hpp>

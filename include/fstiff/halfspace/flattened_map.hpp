@@ -28,7 +28,7 @@ template <Real T>
     SurfaceCompliance<T>(map.rows(), map.columns(), map.dx, map.dy, options.edges).deflect(deflected);
     HeightMap<T> flat = map;
     const T level = gap + map.heights.mean();
-    flat.heights = map.heights.min(deflected + level);
+    flat.heights = (map.heights.min)(deflected + level);
     return flat;
 }
 

@@ -198,7 +198,7 @@ private:
 
     /// x by \p step of ln x: in ln x down, in x up.
     [[nodiscard]] static Field moved(const Field& x, const Field& step) {
-        Field next = (x * (step < 0).select(step.min(0).exp(), 1 + step)).max(least);
+        Field next = ((x * (step < 0).select((step.min)(0).exp(), 1 + step)).max)(least);
         next /= next.mean();
         return next;
     }
@@ -207,7 +207,7 @@ private:
     [[nodiscard]] double least_energy(const Field& x, const Field& change, const Field& still, const Field& deflection,
                                       double slope) const {
         const auto slope_at = [&](double share) {
-            return (from_mean(closures((x + share * change).max(least)) + still + share * deflection, x) * change)
+            return (from_mean(closures(((x + share * change).max)(least)) + still + share * deflection, x) * change)
                 .sum();
         };
         double low = 0, high = 1, share = 1;
