@@ -27,10 +27,10 @@
 namespace fstiff::inline v0_1::io::detail {
 
 struct PointCloud {
-    std::vector<std::array<double, 3>> points;  ///< x, y, z; NaN in one that is missing
-    std::vector<Triangle> faces{};              ///< of a mesh
-    std::array<double, 3> units{1, 1, 1};       ///< [m]
-    std::array<std::string, 3> unit_names{};    ///< for messages
+    std::vector<std::array<double, 3>> points{};  ///< x, y, z; NaN in one that is missing
+    std::vector<Triangle> faces{};                ///< of a mesh
+    std::array<double, 3> units{1, 1, 1};         ///< [m]
+    std::array<std::string, 3> unit_names{};      ///< for messages
 };
 
 /// Puts \p cloud on a grid of the step \p options.grid, and notes how. \throws domain_error as above.

@@ -114,7 +114,7 @@ private:
 
     RawMap matrix() {
         if (table_.axes) take_axes();
-        RawMap map{.rows = table_.numbers.rows(), .columns = table_.columns(Role::heights).size()};
+        RawMap map{.heights = {}, .rows = table_.numbers.rows(), .columns = table_.columns(Role::heights).size()};
         check_count("columns", stated_.columns, stated_.columns_line, map.columns);
         check_count("rows", stated_.rows, stated_.rows_line, map.rows);
         map.dx = steps().x(map.columns);

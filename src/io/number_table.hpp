@@ -30,16 +30,16 @@ struct NumberTable {
     std::size_t before{};        // lines of the file above the header, which are of another table
     std::vector<Line> footer{};  // lines after the rows, which are none
     std::vector<bool> words{};   // whether a column holds words; empty where none does
-    Dialect dialect;
+    Dialect dialect{};
     std::size_t columns{};
-    std::vector<double> values;  // by row; NaN where missing
-    std::vector<std::size_t> row_lines;
-    std::vector<PrintedDigits> printed;  // of all columns where rows may be short, else of the first 16
-    std::vector<LoneWhole> wholes;       // of all columns
-    std::vector<ColumnSigns> signs;      // of all columns, where no option settles them
-    MissingValues missing;               // in addition to the words that are always missing
-    OptionNames names{};                 // for messages
-    std::string thousands{};             // the option
+    std::vector<double> values{};  // by row; NaN where missing
+    std::vector<std::size_t> row_lines{};
+    std::vector<PrintedDigits> printed{};  // of all columns where rows may be short, else of the first 16
+    std::vector<LoneWhole> wholes{};       // of all columns
+    std::vector<ColumnSigns> signs{};      // of all columns, where no option settles them
+    MissingValues missing{};               // in addition to the words that are always missing
+    OptionNames names{};                   // for messages
+    std::string thousands{};               // the option
 
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }

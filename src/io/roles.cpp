@@ -321,7 +321,7 @@ private:
                 if (is_spare(numbers_, c, table_.titles[c])) roles[c] = Role::unused;
         std::vector<std::size_t> open = table_.columns(Role::open);
         if (chosen == 0 && open.size() == 2 && most == 2)  // heights next to their quality
-            for (const std::size_t k : {0, 1})
+            for (const std::size_t k : {std::size_t(0), std::size_t(1)})
                 if (names_height(table_.titles[open[1 - k]].name) && names_other(table_.titles[open[k]])) {
                     roles[open[k]] = Role::unused;
                     open = {open[1 - k]};
