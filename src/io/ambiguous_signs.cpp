@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/ambiguous_signs.hpp"
 
+#include "io/unequal_steps.hpp"
+#include "io/word_columns.hpp"
+
 #include <algorithm>
 
 namespace fstiff::inline v0_1::io::detail {
@@ -81,22 +84,13 @@ bool has_alternate_blanks(std::string_view line) {
 /// Whether the line above the rows has two titles or more between commas, and the rows have more cells; those of R may,
 /// whose first is a name in quotes.
 bool has_fewer_titles(const NumberTable& table) {
-    if (table.first == 0 || table.lines[table.first].text.find('"') != std::string_view::npos) return false;
-    std::vector<std::string_view> cells;
-    split_row(without_comment_sign(table.lines[table.first - 1].text, ','), ',', cells);
+    if (table.lines[table.first].text.find('"') != std::string_view::npos) return false;
+    const auto cells = cells_above(table.lines, table.first, ',');
     return cells.size() > 1 && cells.size() < table.columns && std::any_of(cells.begin(), cells.end(), names_something);
 }
 
-/// Whether a number of a row has a point.
 bool has_points(const NumberTable& table) {
-    std::vector<std::string_view> cells;
-    return std::any_of(
-        table.lines.begin() + static_cast<std::ptrdiff_t>(table.first), table.lines.end(), [&](const Line& line) {
-            if (is_comment(line.text)) return false;
-            split_row(without_comment(line.text), table.dialect.separator, cells);
-            return std::any_of(cells.begin(), cells.end(),
-                               [](std::string_view cell) { return cell.find('.') < cell.size() && is_number(cell); });
-        });
+    return has_points(std::span(table.lines).subspan(table.first), table.dialect.separator);
 }
 
 }  // namespace
@@ -115,28 +109,27 @@ public:
     /// Whether they show more than the cells of whole numbers do.
     bool found() {
         std::size_t columns = 0;
-        for (std::size_t c = 0; c < table_.columns; ++c) columns += !is_word(c);
+        for (std::size_t c = 0; c < table_.columns; ++c) columns += !table_.holds_words(c);
         if (columns < 2 || columns % 2 != 0 || (columns == 2 && table_.words.empty())) return false;
         for (std::size_t i = table_.first; i < table_.lines.size(); ++i)
             if (!is_comment(table_.lines[i].text) && !add(without_comment(table_.lines[i].text))) return false;
-        const bool even = first_.size() >= 16 && have_equal_steps(first_);
+        const bool titled = has_titles(table_.lines, table_.first, ',', table_.columns);
+        const bool even = first_.size() >= 16 && has_equal_steps(first_, 0.01);
         // fractions of as many digits each, next to whole numbers
-        const bool fixed = columns > 2 && fractions_ >= 16 && same_width_ && varied_ && !has_titles();
-        const bool no_positions = columns == 2 && !have_equal_steps(wholes_) && !has_titles();
+        const bool fixed = columns > 2 && fractions_ >= 16 && same_width_ && varied_ && !titled;
+        const bool no_positions = columns == 2 && !has_equal_steps(wholes_, 0.01) && !titled;
         return zero_before_ || (columns > 2 && even) || no_positions || exponents_ || fixed ||
                (alternate_ && table_.words.empty());
     }
 
 private:
-    bool is_word(std::size_t c) const { return c < table_.words.size() && table_.words[c]; }
-
     /// \return false for a row that has no decimal commas
     bool add(std::string_view line) {
         split_line(line, ',', cells_);
         alternate_ = alternate_ && has_alternate_blanks(line);
         std::vector<std::string_view> numbers;
         for (std::size_t c = 0; c < cells_.size(); ++c)
-            if (!is_word(c)) numbers.push_back(cells_[c]);
+            if (!table_.holds_words(c)) numbers.push_back(cells_[c]);
         if (numbers.size() < 2) return false;
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             if (numbers[k].find('.') < numbers[k].size()) return false;
@@ -154,22 +147,6 @@ private:
         wholes_.push_back(number_in(numbers[0], false).value_or(0));
         first_.push_back(number_in(std::string(numbers[0]) + "." + std::string(numbers[1]), false).value_or(0));
         return true;
-    }
-
-    static bool have_equal_steps(const std::vector<double>& values) {
-        if (values.size() < 2) return false;
-        const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
-        for (std::size_t r = 0; r < values.size(); ++r)
-            if (!(std::abs(values[r] - values.front() - static_cast<double>(r) * step) <= 0.01 * std::abs(step)))
-                return false;
-        return step != 0;
-    }
-
-    /// Whether the line above the rows has a title for each of their cells.
-    bool has_titles() {
-        if (table_.first == 0) return false;
-        split_row(without_comment_sign(table_.lines[table_.first - 1].text, ','), ',', cells_);
-        return are_titles(cells_, table_.columns);
     }
 
     const NumberTable& table_;

@@ -213,7 +213,14 @@ bool names_something(std::string_view cell) {
            names_height(title.name) || names_neither(title.name) || names_error(title.name) || names_pixel(title.name);
 }
 
-bool are_titles(const std::vector<std::string_view>& cells, std::size_t columns) {
+std::vector<std::string_view> cells_above(const std::vector<Line>& lines, std::size_t first, char separator) {
+    std::vector<std::string_view> cells;
+    if (first > 0) split_titles(without_comment_sign(lines[first - 1].text, separator), separator, cells);
+    return cells;
+}
+
+bool has_titles(const std::vector<Line>& lines, std::size_t first, char separator, std::size_t columns) {
+    const auto cells = cells_above(lines, first, separator);
     return cells.size() == columns &&
            std::none_of(cells.begin(), cells.end(), [](auto cell) { return !cell.empty() && is_digit(cell.front()); });
 }

@@ -76,8 +76,11 @@ std::vector<ColumnTitle> titles_above(const NumberTable& table);
 /// Whether the title \p cell has a unit, or a word for what a column holds (io/column_words.hpp).
 bool names_something(std::string_view cell);
 
-/// Whether \p cells may be titles of as many \p columns: none begins with a digit.
-bool are_titles(const std::vector<std::string_view>& cells, std::size_t columns);
+/// The cells of the line above the row \p first of \p lines, between \p separator; none where there is none.
+std::vector<std::string_view> cells_above(const std::vector<Line>& lines, std::size_t first, char separator);
+
+/// Whether that line may have a title for each of \p columns: none begins with a digit.
+bool has_titles(const std::vector<Line>& lines, std::size_t first, char separator, std::size_t columns);
 
 /// Whether one of \p titles has a name.
 bool is_titled(const std::vector<ColumnTitle>& titles);

@@ -185,7 +185,7 @@ private:
 
     /// Whether column \p c holds words, or has some next to rows that have nothing there.
     bool holds_words(std::size_t c) {
-        if (c < table_.words.size() && table_.words[c]) return true;
+        if (table_.holds_words(c)) return true;
         if (!may_be_short_ || table_.dialect.separator == ' ' || c >= text_.size()) return false;
         if (text_[c] == '?') text_[c] = is_text_column(table_, c) ? 'y' : 'n';
         return text_[c] == 'y';

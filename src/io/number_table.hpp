@@ -44,6 +44,8 @@ struct NumberTable {
     std::size_t rows() const { return row_lines.size(); }
     double at(std::size_t row, std::size_t column) const { return values[row * columns + column]; }
 
+    bool holds_words(std::size_t column) const { return column < words.size() && words[column]; }
+
     /// Leaves the table as it was opened.
     void forget_rows();
 

@@ -6,6 +6,7 @@
 #include "io/height_sense.hpp"
 #include "io/readers.hpp"
 #include "io/row_layout.hpp"
+#include "io/unequal_steps.hpp"
 #include "io/zygo_xyz.hpp"
 
 #include <tuple>
@@ -49,13 +50,7 @@ double TextTable::resolution() const {
     return resolution;
 }
 
-bool rises_evenly(const NumberTable& table, std::size_t c) {
-    const std::size_t last = table.rows() - 1;
-    const double first = table.at(0, c), step = (table.at(last, c) - first) / static_cast<double>(last);
-    for (std::size_t r = 0; r < table.rows(); ++r)
-        if (!(std::abs(table.at(r, c) - first - static_cast<double>(r) * step) <= 0.6 * std::abs(step))) return false;
-    return step != 0;
-}
+bool rises_evenly(const NumberTable& table, std::size_t c) { return has_equal_steps(column_of(table, c), 0.6); }
 
 namespace {
 
@@ -383,7 +378,7 @@ std::vector<Role> first_roles(const NumberTable& table, const std::vector<Column
     std::vector<Role> roles(table.columns, Role::open);
     if (table.columns < 2) return roles;
     for (std::size_t c = 0; c < table.columns; ++c)
-        if (c < table.words.size() && table.words[c])
+        if (table.holds_words(c))
             roles[c] = Role::words;
         else if (titles[c].unit.empty() && names_index(titles[c].name) && counts_points(table, c, false))
             roles[c] = Role::index;

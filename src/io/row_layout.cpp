@@ -121,7 +121,7 @@ void find_decimal_sign(NumberTable& table) {
         split_row(without_comment(table.lines[i].text), table.dialect.separator, cells);
         for (std::size_t c = 0; c < cells.size(); ++c) {
             const std::size_t sign = cells[c].find_first_of(".,");
-            if (sign == std::string_view::npos || (c < table.words.size() && table.words[c])) continue;
+            if (sign == std::string_view::npos || table.holds_words(c)) continue;
             table.dialect.decimal_comma = cells[c][sign] == ',';
             return;
         }

@@ -19,6 +19,14 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+bool has_equal_steps(const std::vector<double>& x, double tolerance) {
+    if (x.size() < 2) return false;
+    const double step = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (!(std::abs(x[i] - x.front() - static_cast<double>(i) * step) <= tolerance * std::abs(step))) return false;
+    return step != 0;
+}
+
 bool is_interrupted(const std::vector<double>& x, double printed) {
     const std::vector<double> steps = steps_of(x);
     const double usual = median(steps);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// \file
-/// Positions of a profile at unequal steps.
+/// Positions of a profile, at equal steps or not.
 ///
 /// Units       those of the file
 
@@ -14,6 +14,9 @@ std::vector<double> steps_of(const std::vector<double>& x);
 
 /// The upper median of \p values, one at least.
 double median(std::vector<double> values);
+
+/// Whether \p x rises or falls in equal steps, to \p tolerance of a step; no for less than two.
+bool has_equal_steps(const std::vector<double>& x, double tolerance);
 
 /// 0 1 2 4 5 ...: whether positions that are \p printed to whole steps, of which one or two are odd, have lost a row
 /// rather than digits.

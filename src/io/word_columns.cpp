@@ -63,6 +63,16 @@ bool may_be_number(std::string_view cell) {
 
 }  // namespace
 
+bool has_points(std::span<const Line> rows, char separator) {
+    std::vector<std::string_view> cells;
+    return std::any_of(rows.begin(), rows.end(), [&](const Line& line) {
+        if (is_comment(line.text)) return false;
+        split_row(without_comment(line.text), separator, cells);
+        return std::any_of(cells.begin(), cells.end(),
+                           [](std::string_view cell) { return cell.find('.') < cell.size() && is_number(cell); });
+    });
+}
+
 std::vector<bool> words_in(std::span<const Line> lines, char separator, std::size_t columns) {
     std::vector<std::string_view> cells;
     std::vector<std::size_t> numbers(columns), words(columns);
@@ -160,7 +170,7 @@ std::pair<std::size_t, bool> plain_rows(const NumberTable& table) {
 bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& cells) {
     bool number = false, gap = false;
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (c < table.words.size() && table.words[c]) continue;
+        if (table.holds_words(c)) continue;
         if (is_number(cells[c]))
             number = true;
         else if (!is_gap(cells[c]))
@@ -174,28 +184,19 @@ bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& ce
 
 namespace {
 
-/// Whether the line above \p rows has a title for each column.
-bool has_titles(const std::vector<Line>& lines, const WordRows& rows) {
-    if (rows.first == 0) return false;
-    std::vector<std::string_view> titles;
-    split_titles(without_comment_sign(lines[rows.first - 1].text, rows.separator), rows.separator, titles);
-    return are_titles(titles, rows.words.size());
-}
-
 /// Of "P0 4805,3" the comma may separate columns, as in \p rows, or be decimal, where no number has a point: the
 /// titles settle it. \throws domain_error where they do not.
 WordRows settled_comma(const std::vector<Line>& lines, const WordRows& rows, const std::string& name) {
-    std::vector<std::string_view> cells;
-    for (std::size_t i = rows.first; i < lines.size(); ++i) {
-        split_row(without_comment(lines[i].text), rows.separator, cells);
-        const auto has_point = [](std::string_view cell) { return cell.find('.') < cell.size() && is_number(cell); };
-        if (std::any_of(cells.begin(), cells.end(), has_point)) return rows;
-    }
+    if (has_points(std::span(lines).subspan(rows.first), rows.separator)) return rows;
     auto decimal = rows_between(lines, ' ');
     if (!decimal || decimal->rows < rows.rows) return rows;
+    std::vector<std::string_view> cells;
     split_row(lines[rows.first].text, ' ', cells);
     if (std::any_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.ends_with(','); })) return rows;
-    const bool separates = has_titles(lines, rows), is_decimal = has_titles(lines, *decimal);
+    const auto titled = [&](const WordRows& one) {
+        return has_titles(lines, one.first, one.separator, one.words.size());
+    };
+    const bool separates = titled(rows), is_decimal = titled(*decimal);
     if (separates == is_decimal)
         refuse_line(name, lines[rows.first].number,
                     {shown_cell(lines[rows.first].text),

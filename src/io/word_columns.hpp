@@ -26,6 +26,9 @@ bool is_plain(std::string_view line);
 /// Whether a line of cells is a row of \p table: numbers, missing points, and words where its columns hold words.
 bool is_row_of(const NumberTable& table, const std::vector<std::string_view>& cells);
 
+/// Whether a number of \p rows has a point.
+bool has_points(std::span<const Line> rows, char separator);
+
 /// Whether each of the \p columns holds more words than numbers in the \p lines with that many cells, one a number.
 std::vector<bool> words_in(std::span<const Line> lines, char separator, std::size_t columns);
 

@@ -212,46 +212,47 @@ std::size_t wrong_heights(const double* found, const RandomText& text) {
     return wrong;
 }
 
+constexpr unsigned drawn = 2000;
+
+/// Draws texts, and checks those that are read by \p check. \return how many these are
+template <class Text, class Check>
+unsigned right_of(const Check& check) {
+    unsigned right = 0;
+    for (unsigned seed = 0; seed < drawn; ++seed) {
+        const Text text(seed);
+        std::optional<io::Surface> found;
+        (void)refusal([&] { found = read_text(text.text, text.options); });
+        if (!found) continue;
+        const std::string begin = text.text.substr(0, 300);
+        CAPTURE(seed, begin);
+        check(text, *found);
+        ++right;
+    }
+    return right;
+}
+
 }  // namespace
 
 TEST_CASE("A profile drawn at random is read right or refused, and 17 of 20 are read") {
-    constexpr unsigned count = 2000;
-    unsigned right = 0;
-    for (unsigned seed = 0; seed < count; ++seed) {
-        const RandomTable table(seed);
-        std::optional<io::Surface> found;
-        (void)refusal([&] { found = read_text(table.text, table.options); });
-        if (!found) continue;
-        const std::string begin = table.text.substr(0, 300);
-        CAPTURE(seed, begin);
-        REQUIRE(found->is_profile());
-        REQUIRE(found->profile().size() == table.heights.size());
-        CHECK(relative_error(found->profile().spacing, table.dx) <= 1e-6);
-        CHECK(wrong_heights(found->profile().heights.data(), table) == 0);
-        ++right;
-    }
-    CHECK(right >= 17 * count / 20);
+    const unsigned right = right_of<RandomTable>([](const RandomTable& table, const io::Surface& found) {
+        REQUIRE(found.is_profile());
+        REQUIRE(found.profile().size() == table.heights.size());
+        CHECK(relative_error(found.profile().spacing, table.dx) <= 1e-6);
+        CHECK(wrong_heights(found.profile().heights.data(), table) == 0);
+    });
+    CHECK(right >= 17 * drawn / 20);
 }
 
 TEST_CASE("A map drawn at random is read right or refused, and nine of ten are read") {
-    constexpr unsigned count = 2000;
-    unsigned right = 0;
-    for (unsigned seed = 0; seed < count; ++seed) {
-        const RandomMap map(seed);
-        std::optional<io::Surface> found;
-        (void)refusal([&] { found = read_text(map.text, map.options); });
-        if (!found) continue;
-        const std::string begin = map.text.substr(0, 300);
-        CAPTURE(seed, begin);
-        REQUIRE(!found->is_profile());
-        const auto& heights = found->map().heights;
+    const unsigned right = right_of<RandomMap>([](const RandomMap& map, const io::Surface& found) {
+        REQUIRE(!found.is_profile());
+        const auto& heights = found.map().heights;
         REQUIRE((heights.rows() == map.rows && heights.cols() == map.columns));
-        CHECK(relative_error(found->map().dx, map.dx) <= 1e-6);
-        CHECK(relative_error(found->map().dy, map.dy) <= 1e-6);
+        CHECK(relative_error(found.map().dx, map.dx) <= 1e-6);
+        CHECK(relative_error(found.map().dy, map.dy) <= 1e-6);
         CHECK(wrong_heights(heights.data(), map) == 0);
-        ++right;
-    }
-    CHECK(right >= 9 * count / 10);
+    });
+    CHECK(right >= 9 * drawn / 10);
 }
 
 }  // namespace random_tables_test
